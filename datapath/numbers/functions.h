@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace repousse {
+
+/// An unnormalised floating-point result: value = mantissa * 2^-exponent.
+struct Scaled {
+    std::int64_t mantissa = 0;
+    int exponent = 0;
+};
+
+/// 1/x of a positive integer: leading-zero normalisation, a table of seeds, Newton's iteration, and
+/// one exact correction. Everything is integer; no product exceeds 64 bits, so the same widths do
+/// in hardware (functions.cpp has them beside each line).
+///
+/// With `converged()`, the mantissa is 1/x rounded to nearest, x being cut to its 32 leading bits:
+/// - |relative error| <= 2^-mantissa_bits for x < 2^32, plus 2^-31 beyond;
+/// - monotone: x <= y implies 1/x >= 1/y;
+/// - 1/2^n is exact: mantissa 2^(mantissa_bits-1), exponent n + mantissa_bits - 1.
+/// Otherwise the seeds' error shows: about 2^-(index_bits << newton_steps), and neither
+/// monotonicity nor exactness is promised.
+class Reciprocal {
+public:
+    static constexpr int kMaxIndexBits = 12;
+    static constexpr int kMaxNewtonSteps = 5;
+    static constexpr int kMaxMantissaBits = 31;
+
+    /// A table of 2^index_bits seeds (1..kMaxIndexBits), 0..kMaxNewtonSteps iterations, and results
+    /// of 2..kMaxMantissaBits bits. Values out of range are a programming mistake (assert).
+    Reciprocal(int index_bits, int newton_steps, int mantissa_bits);
+
+    /// 2^(mantissa_bits-1) <= mantissa < 2^mantissa_bits. x = 0 gives the largest mantissa with the
+    /// exponent of x = 1: a value just below 2, larger than every other result.
+    Scaled operator()(std::uint64_t x) const;
+
+    /// True if the configuration has the properties listed above.
+    bool converged() const { return index_bits_ << newton_steps_ > mantissa_bits_; }
+
+    /// The table as a ROM holds it: seed * 2^-(index_bits + 3) approximates 1/D at the middle of an
+    /// interval of D in [1/2, 1). The top bit of the index_bits + 4 is always 1.
+    const std::vector<std::uint32_t>& seeds() const { return seeds_; }
+
+private:
+    int index_bits_;
+    int newton_steps_;
+    int mantissa_bits_;
+    std::vector<std::uint32_t> seeds_;
+};
+
+/// 1/sqrt(x) of a positive integer, by the same means but without the correction, whose product
+/// would need 3 * 32 bits.
+///
+/// x being cut to its 31 or 32 leading bits, and i standing for index_bits << newton_steps:
+/// - |relative error| <= 2^-mantissa_bits + 2^-i + 2^-30 for x < 2^31, plus 2^-31 beyond;
+/// - with `converged()`, 1/sqrt(4^n) is exact: mantissa 2^(mantissa_bits-1), exponent
+///   n + mantissa_bits - 1.
+class InverseSqrt {
+public:
+    static constexpr int kMaxIndexBits = 12;
+    static constexpr int kMaxNewtonSteps = 5;
+    static constexpr int kMaxMantissaBits = 29;
+
+    /// As Reciprocal's; index_bits is at least 2, since one of them says which octave x is in.
+    InverseSqrt(int index_bits, int newton_steps, int mantissa_bits);
+
+    /// Mantissa and x = 0 as for Reciprocal.
+    Scaled operator()(std::uint64_t x) const;
+
+    /// True if the iteration's error is below half a unit of the mantissa.
+    bool converged() const { return index_bits_ << newton_steps_ > mantissa_bits_; }
+
+    /// The table as a ROM holds it: seed * 2^-(index_bits + 3) approximates 1/sqrt(D), first for
+    /// the intervals of D in [1/4, 1/2), then for those in [1/2, 1).
+    const std::vector<std::uint32_t>& seeds() const { return seeds_; }
+
+private:
+    int index_bits_;
+    int newton_steps_;
+    int mantissa_bits_;
+    std::vector<std::uint32_t> seeds_;
+};
+
+}  // namespace repousse

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "datapath/error.h"
+#include "datapath/numbers/format.h"
+#include "datapath/span.h"
+
+namespace repousse {
+
+/// The format of every signal, the table sizes and the modes of one device. A profile is data: a
+/// precision sweep makes another profile, it never recompiles. The same integers become Verilog
+/// parameters and vector headers.
+///
+/// Each member stands under its key in `profile_entries()`, which says what it is for and which
+/// values are possible; read the reasons for the shipped widths in tlm/config/profiles/*.toml.
+struct Profile {
+    // Topology: exact, never rounded.
+    Format uv;         ///< texture coordinates in texels (Doggett and Hirche 3.1.2)
+    int sat_width = 0; ///< stored bits of the summed-area table, sums modulo 2^sat_width
+
+    // Maps, as stored in memory.
+    Format height;      ///< a texel of the displacement map
+    Format map_normal;  ///< a component of the displacement map's normal N_D
+
+    // Attributes, in world units.
+    Format position;         ///< P and P'
+    Format normal;           ///< components of the base normal N and tangent T
+    Format displaced_normal; ///< components of N'
+    Format filtered_height;  ///< a bilinear height: `height` with more fraction bits
+    Format displacement;     ///< D in world units
+    Format unnormalised;     ///< vectors on their way into a normalisation
+    Format diagonal;         ///< differences of P' in split's squared length
+
+    // View.
+    Format view_row; ///< components of the camera's right, up and forward
+    Format clip;     ///< P' in eye space
+    Format ndc;      ///< eye-space x/w and y/w
+    Format focal;    ///< pixels per unit of x/w, and the viewport's centre
+    Format screen;   ///< pixels
+
+    // Closed functions.
+    int inverse_sqrt_index_bits = 0;   ///< log2 of the table's entries
+    int inverse_sqrt_newton_steps = 0;
+    int inverse_sqrt_bits = 0;         ///< mantissa bits
+    int reciprocal_index_bits = 0;
+    int reciprocal_newton_steps = 0;
+    int reciprocal_bits = 0;
+};
+
+/// One key of a profile: a format or an integer with its range.
+struct ProfileEntry {
+    std::string_view key;                 ///< "uv", "table.reciprocal_bits", ...
+    Format Profile::*format = nullptr;    ///< set for formats
+    int Profile::*integer = nullptr;      ///< set for integers
+    int low = 0, high = 0;                ///< integers: range; formats: range of the width
+    bool is_signed = true;                ///< formats: the signedness that the arithmetic expects
+    std::string_view doc = {};
+};
+
+/// Significant bits of the displacement scale register: d = height * mantissa * 2^-exponent.
+inline constexpr int kScaleBits = 24;
+
+/// All keys, in the order in which profiles are printed and hashed.
+Span<const ProfileEntry> profile_entries();
+
+/// Builds a profile from key/value pairs. Every key is required exactly once and no other is
+/// accepted; values are formats ("s14.8 SC_RND SC_SAT") or integers; widths that would overflow
+/// 64-bit intermediate results are refused. The error's `where` is the key.
+Result<Profile> make_profile(const std::vector<std::pair<std::string, std::string>>& pairs);
+
+/// The value of one entry as text, as make_profile reads it.
+std::string entry_text(const Profile& profile, const ProfileEntry& entry);
+
+/// FNV-1a over the given keys and their values: vectors carry it, so that a change of an entry
+/// their unit uses is noticed and a change of any other is not. Unknown keys are ignored.
+uint64_t profile_hash(const Profile& profile, Span<const std::string_view> keys);
+
+}  // namespace repousse

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string_view>
+
+#include "datapath/span.h"
+
+namespace repousse {
+
+/// What a port of a unit carries.
+enum class PortKind {
+    Input,   ///< a field of each transaction the unit accepts
+    Output,  ///< a field of each transaction the unit delivers
+    Config,  ///< a register, stable while a frame is in the unit
+};
+
+/// One field at a unit's boundary. Its width comes from the profile, so that one number rules the
+/// C++ model, the Verilog parameter and the vector file:
+///   width = width of the entry `key` + `extra_bits`, signedness as `key` unless `is_unsigned`;
+///   with an empty key the port is a plain unsigned integer of `extra_bits` bits.
+/// The fraction bits are those of `key`: growth is always at the top.
+struct Port {
+    PortKind kind;
+    std::string_view name;
+    std::string_view key;
+    int extra_bits = 0;
+    bool is_unsigned = false;
+    std::string_view doc = {};
+};
+
+/// The description of a unit: the one source of its ports and its timing. A printer turns it into
+/// the Verilog parameters, the vectors' header and the tables of the sheet.
+struct UnitDesc {
+    std::string_view name;
+    std::string_view paper;                ///< paper, section and equation it implements
+    Span<const Port> ports;                ///< in transaction order, most significant first
+    Span<const std::string_view> keys;     ///< every profile entry that changes a result
+    int latency = 1;                       ///< cycles from accept to the first possible departure
+    int interval = 1;                      ///< least cycles between two accepts
+    int capacity = 1;                      ///< transactions the unit can hold
+    int backward_latency = 0;              ///< 0: combinational ready, 1: registered ready
+};
+
+}  // namespace repousse

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "datapath/unit_desc.h"
+
+namespace repousse {
+
+inline constexpr Port kDisplacePorts[] = {
+    {PortKind::Config, "map_width", "", 13, true, "W, texels"},
+    {PortKind::Config, "map_height", "", 13, true, "H, texels"},
+    {PortKind::Config, "wrap", "", 1, true, "the map is periodic"},
+    {PortKind::Config, "bilinear", "", 1, true, "between texel centres; otherwise the nearest"},
+    {PortKind::Config, "scale_mantissa", "", 25, true, "D = h * mantissa * 2^-exponent + bias"},
+    {PortKind::Config, "scale_exponent", "", 6, true, ""},
+    {PortKind::Config, "bias", "displacement", 0, false, "world units"},
+    {PortKind::Input, "p_x", "position", 0, false, "P"},
+    {PortKind::Input, "p_y", "position", 0, false, ""},
+    {PortKind::Input, "p_z", "position", 0, false, ""},
+    {PortKind::Input, "n_x", "normal", 0, false, "N, unit length"},
+    {PortKind::Input, "n_y", "normal", 0, false, ""},
+    {PortKind::Input, "n_z", "normal", 0, false, ""},
+    {PortKind::Input, "u_x", "uv", 0, false, "texture coordinates"},
+    {PortKind::Input, "u_y", "uv", 0, false, ""},
+    {PortKind::Output, "displaced_x", "position", 0, false, "P' = P + D N"},
+    {PortKind::Output, "displaced_y", "position", 0, false, ""},
+    {PortKind::Output, "displaced_z", "position", 0, false, ""},
+};
+
+inline constexpr std::string_view kDisplaceKeys[] = {"uv",           "height",   "filtered_height",
+                                                     "displacement", "position", "normal"};
+
+/// Four reads for a bilinear height, one for the nearest texel; interpolation, scale, multiply-add.
+/// The interval is that of bilinear reads through one port.
+inline constexpr UnitDesc kDisplaceDesc = {
+    "displace",
+    "Doggett and Hirche 2000, equation 1 and section 3 (Displace Vertex)",
+    kDisplacePorts,
+    kDisplaceKeys,
+    8,  // latency
+    4,  // interval
+    8,  // capacity
+    0,  // backward latency
+};
+
+}  // namespace repousse

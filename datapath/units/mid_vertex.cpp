@@ -1,0 +1,58 @@
+#include "datapath/units/mid_vertex.h"
+
+#include <algorithm>
+
+namespace repousse {
+
+template <class P>
+MidVertex<P>::MidVertex(const Profile& profile)
+    : to_unnormalised_(profile.normal.frac, profile.unnormalised),
+      inverse_sqrt_(profile.inverse_sqrt_index_bits, profile.inverse_sqrt_newton_steps,
+                    profile.inverse_sqrt_bits),
+      normalise_(inverse_sqrt_, profile.normal) {}
+
+template <class P>
+void MidVertex<P>::topology(const Vertex<P>& v1, const Vertex<P>& v2, Vertex<P>& mid) {
+    ++counters_.items;
+    // One bit more than uv for the sum; the arithmetic shift floors, whatever the order.
+    mid.uv.x = static_cast<int32_t>((int64_t(v1.uv.x) + v2.uv.x) >> 1);
+    mid.uv.y = static_cast<int32_t>((int64_t(v1.uv.y) + v2.uv.y) >> 1);
+    mid.generation = static_cast<uint8_t>(std::max(v1.generation, v2.generation) + 1);
+    // Both ends agree on every mesh the host lets through; the minimum keeps the result symmetric.
+    mid.handedness = std::min(v1.handedness, v2.handedness);
+}
+
+template <class P>
+Vec3<typename P::Value> MidVertex<P>::mean_direction(const Vec3<V>& a, const Vec3<V>& b) {
+    const auto sum = [&](V x, V y) {
+        return P::quantize(to_unnormalised_, typename P::Wide(x) + y, counters_.overflows);
+    };
+    return normalise_({sum(a.x, b.x), sum(a.y, b.y), sum(a.z, b.z)}, counters_.degenerate);
+}
+
+template <class P>
+void MidVertex<P>::attributes(const Vertex<P>& v1, const Vertex<P>& v2, Vertex<P>& mid) {
+    ++counters_.attributes;
+    const auto half = [](V a, V b) { return static_cast<V>(P::half(typename P::Wide(a) + b)); };
+    mid.position = {half(v1.position.x, v2.position.x), half(v1.position.y, v2.position.y),
+                    half(v1.position.z, v2.position.z)};
+    mid.normal = mean_direction(v1.normal, v2.normal);
+    mid.tangent = mean_direction(v1.tangent, v2.tangent);
+}
+
+template <class P>
+void MidVertex<P>::run_topology(Span<Edge<P>> edges) {
+    for (Edge<P>& edge : edges) topology(*edge.v1, *edge.v2, edge.mid);
+}
+
+template <class P>
+void MidVertex<P>::run_attributes(Span<Edge<P>> edges, bool for_test, bool eager) {
+    for (Edge<P>& edge : edges) {
+        if (edge.wants_attributes(for_test, eager)) attributes(*edge.v1, *edge.v2, edge.mid);
+    }
+}
+
+template class MidVertex<Fixed>;
+template class MidVertex<Real>;
+
+}  // namespace repousse
