@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <systemc>
+
+#include "datapath/error.h"
+#include "datapath/pipelines/contexts.h"
+#include "datapath/pipelines/draw.h"
+#include "tlm/memory/memory_port.h"
+#include "tlm/platform/registers.h"
+
+namespace repousse::shell {
+
+/// Where the driver finds the device and lays out its buffers.
+struct AddressMap {
+    uint64_t device = 0;          ///< base of the registers
+    uint64_t memory = 0;          ///< base of the memory
+    uint64_t memory_bytes = 0;
+    uint32_t output_capacity = 1; ///< triangles in the output buffer
+};
+
+/// Bytes of memory that a draw's buffers take, the output buffer included.
+uint64_t buffer_bytes(const AdaptiveDraw<Fixed>& draw, uint32_t output_capacity);
+
+/// A processor that plays the driver: for each draw it writes vertices, maps and tables to memory,
+/// programs the registers, rings the doorbell, sleeps until the interrupt and collects the output.
+class Driver : public sc_core::sc_module {
+public:
+    MemoryPort port{"port"};
+    sc_core::sc_in<bool> interrupt{"interrupt"};
+
+    /// What one draw gave. The triangles are in architectural order.
+    struct Output {
+        std::vector<OutputTriangle<Fixed>> triangles;
+    };
+
+    Driver(const sc_core::sc_module_name& name, const AddressMap& map,
+           Span<const AdaptiveDraw<Fixed>> draws);
+
+    /// Valid once the simulation has ended.
+    const std::vector<Output>& outputs() const { return outputs_; }
+    const Status& status() const { return status_; }
+
+    SC_HAS_PROCESS(Driver);
+
+private:
+    void drive();
+    bool run(const AdaptiveDraw<Fixed>& draw, Output& output);
+    void upload(const AdaptiveDraw<Fixed>& draw);
+    void program(const AdaptiveDraw<Fixed>& draw);
+    void collect(Output& output);
+    void place(Register low, const void* data, uint64_t bytes);
+    void set(uint32_t index, uint32_t value);
+    void set_address(Register low, uint64_t address);
+    uint32_t get(uint32_t index);
+
+    AddressMap map_;
+    Span<const AdaptiveDraw<Fixed>> draws_;
+    std::vector<Output> outputs_;
+    Status status_ = done();
+    uint64_t next_address_ = 0;
+    uint64_t output_address_ = 0;
+    sc_core::sc_time local_time_;
+};
+
+}  // namespace repousse::shell

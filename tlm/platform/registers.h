@@ -1,0 +1,124 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace repousse::shell {
+
+/// The device's registers: 32 bits each, at byte offset 4 * index. Two neighbours form a 64-bit
+/// value, low word first, where the name ends in Lo. All from kFeatures to kFrameEnd belong to a
+/// frame: what is written is latched when the frame starts, so the next frame can be prepared while
+/// one runs.
+enum Register : uint32_t {
+    kId,         ///< read only: kIdValue
+    kControl,    ///< bit 0: interrupts enabled; bit 1: reset to the power-on state (self-clearing)
+    kDoorbell,   ///< write kStart or kDrained
+    kStatus,     ///< read only: the StatusBits
+    kInterrupt,  ///< write 1: acknowledge
+    kErrorCode,  ///< read only: why kStatusError is set, a FrameError
+
+    kFeatures,   ///< the Features
+    kCap,        ///< generation cap, 0 to 15
+    kViewThreshold,      ///< raw, fraction bits of `screen`
+    kNormalThreshold,    ///< raw `displaced_normal`
+    kHeightThresholdLo,  ///< height LSB, or height LSB x texel^2
+    kHeightThresholdHi,
+    kMapWidth,   ///< texels
+    kMapHeight,
+    kScaleMantissa,  ///< D = h * mantissa * 2^-exponent + bias
+    kScaleExponent,
+    kBias,           ///< raw `displacement`
+    kEye,                        ///< three words, raw `position`
+    kRight = kEye + 3,           ///< three words, raw `view_row`
+    kUp = kRight + 3,            ///< three words
+    kForward = kUp + 3,          ///< three words
+    kNear = kForward + 3,        ///< raw `clip`
+    kFocalX,                     ///< raw `focal`
+    kFocalY,
+    kCentreX,
+    kCentreY,
+    kVertexCount,
+    kTriangleCount,
+    kOutputCapacity,  ///< triangles that fit the output buffer
+    kVerticesLo,      ///< address of VertexRecord[]
+    kVerticesHi,
+    kIndicesLo,       ///< address of uint32_t[3 * triangles]
+    kIndicesHi,
+    kHeightsLo,       ///< address of uint16_t[width * height]
+    kHeightsHi,
+    kNormalsLo,       ///< address of int16_t[3 * width * height]
+    kNormalsHi,
+    kSumsLo,          ///< address of uint64_t[(width + 1) * (height + 1)]
+    kSumsHi,
+    kOutputLo,        ///< address of OutputRecord[]
+    kOutputHi,
+    kFrameEnd,
+
+    kOutputCount = kFrameEnd,  ///< read only: triangles in the output buffer
+    kCyclesLo,                 ///< read only: cycles since the last reset
+    kCyclesHi,
+    kRegisterCount,
+};
+
+inline constexpr uint32_t kIdValue = 0x52505331;  ///< "RPS1"
+
+enum Doorbell : uint32_t {
+    kStart = 1,    ///< run a frame
+    kDrained = 2,  ///< the host has emptied the output buffer
+};
+
+enum StatusBit : uint32_t {
+    kStatusBusy = 1,
+    kStatusDone = 2,        ///< the frame is complete
+    kStatusOutputFull = 4,  ///< waits for kDrained
+    kStatusError = 8,       ///< the frame was not run, or not to its end
+};
+
+enum FrameError : uint32_t {
+    kNoError,
+    kMissingUnit,    ///< a feature needs a unit that this device was built without
+    kBadRegister,    ///< a register is out of its range
+    kMemoryError,    ///< an access was answered with an error
+    kStackOverflow,  ///< the stack's bound did not hold
+};
+
+enum Feature : uint32_t {
+    kUseViewTest = 1 << 0,
+    kUseNormalTest = 1 << 1,
+    kUseHeightTest = 1 << 2,
+    kUseBump = 1 << 3,
+    kEager = 1 << 4,
+    kFifo = 1 << 5,
+    kMapSpaceNormals = 1 << 6,
+    kLiteralBoxes = 1 << 7,
+    kSumMode = 1 << 8,
+    kWrap = 1 << 9,
+    kBilinear = 1 << 10,
+};
+
+/// A base vertex in memory: raw values in the profile's formats.
+struct VertexRecord {
+    std::array<int32_t, 2> uv;
+    std::array<int32_t, 3> position;
+    std::array<int32_t, 3> normal;
+    std::array<int32_t, 3> tangent;
+    int32_t handedness; ///< +1 or -1
+};
+static_assert(sizeof(VertexRecord) == 48);
+
+/// A finished triangle in memory.
+struct OutputRecord {
+    struct Corner {
+        std::array<int32_t, 2> uv;
+        std::array<int32_t, 3> displaced;
+        std::array<int32_t, 3> displaced_normal;
+        uint32_t generation;
+    };
+    uint32_t base; ///< index of the base triangle
+    uint32_t depth;
+    std::array<uint64_t, 2> digits; ///< of the path, two bits each
+    std::array<Corner, 3> corners;
+};
+static_assert(sizeof(OutputRecord) == 136);
+
+}  // namespace repousse::shell

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "datapath/profile.h"
+#include "datapath/units/bump.h"
+#include "datapath/units/bump_desc.h"
+#include "tlm/edge_stage.h"
+
+namespace repousse::shell {
+
+/// The bump mapping unit in the device: datapath/units/bump.h with its timing. It reads the normal
+/// map through a port of its own. Like mid_vertex's attributes, normals are made `before_test` or,
+/// in a frame without the normal test, `after_split`.
+class Bump : public sc_core::sc_module, public BasePlace {
+public:
+    Bump(const sc_core::sc_module_name& name, const Profile& profile);
+
+    /// Displaced normals are not wanted in this frame.
+    void disable();
+
+    /// The map's tables must outlive the frame. `normal_test`: the frame uses the normal test.
+    void configure(const MapView<Fixed>& map, bool normal_test, bool eager);
+    void reset() { unit_.reset(); }
+    const BumpCounters& counters() const { return unit_.counters(); }
+
+    EdgeCall before_test;
+    EdgeCall after_split;
+
+private:
+    void make_normals(EdgeBatch& batch, BatchTime& time, bool for_test);
+    void process_base(Triangle<Fixed>& triangle, BatchTime& time) override;
+
+    repousse::Bump<Fixed> unit_;
+    bool eager_ = false;
+};
+
+}  // namespace repousse::shell

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "datapath/profile.h"
+#include "datapath/units/displace.h"
+#include "datapath/units/displace_desc.h"
+#include "tlm/edge_stage.h"
+
+namespace repousse::shell {
+
+/// Displace Vertex in the device: datapath/units/displace.h with its timing. It reads the map
+/// through a port of its own, one texel a cycle.
+class Displace : public EdgePlace, public BasePlace {
+public:
+    Displace(const sc_core::sc_module_name& name, const Profile& profile);
+
+    /// The map's tables must outlive the frame.
+    void configure(const MapView<Fixed>& map) { unit_.configure(map); }
+    void reset() { unit_.reset(); }
+    const DisplaceCounters& counters() const { return unit_.counters(); }
+
+private:
+    void process(EdgeBatch& batch, BatchTime& time) override;
+    void process_base(Triangle<Fixed>& triangle, BatchTime& time) override;
+
+    repousse::Displace<Fixed> unit_;
+};
+
+}  // namespace repousse::shell
