@@ -1,0 +1,61 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "datapath/error.h"
+#include "datapath/pipelines/draw.h"
+#include "datapath/profile.h"
+#include "testbench/host/map/height_map.h"
+#include "testbench/host/mesh/mesh.h"
+#include "testbench/host/scene/scene.h"
+
+namespace repousse::host {
+
+/// The camera as the device's registers want it, in doubles. Screen positions are
+/// centre + focal * (right . e / forward . e), e = P' - eye; y likewise with up.
+struct ViewFrame {
+    glm::dvec3 eye{0.0};
+    glm::dvec3 right{1.0, 0.0, 0.0};
+    glm::dvec3 up{0.0, 1.0, 0.0};
+    glm::dvec3 forward{0.0, 0.0, -1.0};
+    double near = 1e-6;
+    glm::dvec2 focal{1.0};
+    glm::dvec2 centre{0.0};
+};
+
+/// The frame of a scene's camera; rows of pixels run downwards.
+ViewFrame view_frame(const CameraSettings& camera, const Viewport& viewport);
+
+/// An object, loaded, with everything that decides how it is tessellated.
+struct DrawInputs {
+    const Mesh* mesh = nullptr;
+    const HeightMap* map = nullptr;
+    AdaptiveSettings settings;
+    MapFilter filter = MapFilter::Nearest;
+    UvSpan uv = UvSpan::Edges;
+    bool bump = false;           ///< displaced normals are wanted in the output
+    glm::dvec2 texel_size{0.0};  ///< world units a texel, for the finite differences
+    ViewFrame view;
+};
+
+/// Texture coordinates of a mesh vertex in texels, truncated to the format's fraction bits.
+Uv texel_uv(glm::dvec2 uv, const HeightMap& map, UvSpan span, int frac);
+
+/// The natural generation cap: ceil(log2(longest base edge, L-infinity, in texels)); regular 1:4
+/// refinement reaches one texel exactly there. At most 15.
+int natural_cap(const DrawInputs& inputs, int uv_frac);
+
+/// The profile whose integers level `ref` uses: the topology of `profile`, full heights.
+Profile reference_profile(Profile profile);
+
+/// Brings an object into the device's formats: level `ref` with P = Real, bit-accurate with Fixed.
+/// For Real pass the reference_profile. Only the tables that the settings call for are made.
+/// Errors: a position, texture coordinate, edge or register that the profile cannot hold.
+template <class P>
+Result<AdaptiveDraw<P>> make_draw(const Profile& profile, const DrawInputs& inputs);
+
+}  // namespace repousse::host

@@ -1,0 +1,179 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "datapath/error.h"
+#include "testbench/host/map/procedural_map.h"
+
+namespace repousse::host {
+
+/// A place in the scene file, for messages about what was read there.
+struct SceneMark {
+    std::string file;
+    int line = 0;
+    int column = 0;
+
+    std::string text() const {
+        return file + ":" + std::to_string(line) + ":" + std::to_string(column);
+    }
+};
+
+/// Size of the picture.
+struct Viewport {
+    int width_px = 1280;
+    int height_px = 720;
+};
+
+/// A pinhole camera. World units; the vertical field of view in degrees.
+struct CameraSettings {
+    glm::dvec3 eye{0.0, -2.0, 1.5};
+    glm::dvec3 target{0.0};
+    glm::dvec3 up{0.0, 0.0, 1.0};
+    double fov_deg = 40.0;
+    double near = 0.01;
+    double far = 100.0;
+};
+
+/// A directional light. Colours are sRGB, 0..1 a channel (lights may exceed 1).
+struct Light {
+    glm::dvec3 direction{0.0, 0.0, 1.0};  ///< unit, towards the light
+    glm::dvec3 colour{1.0};
+};
+
+enum class Tint { Plain, Relief };
+enum class Shading { Smooth, Flat };
+
+/// How the frame is drawn; nothing here reaches the device.
+struct ViewSettings {
+    bool wireframe = false;
+    bool shadows = false;
+    bool skirt = false;  ///< close the border of an open mesh down to the lowest height
+    Tint tint = Tint::Plain;
+    Shading shading = Shading::Smooth;
+    glm::dvec3 background{0.93, 0.94, 0.96};  ///< sRGB, top of the picture
+    glm::dvec3 horizon{0.93, 0.94, 0.96};     ///< sRGB, bottom of the picture
+    glm::dvec3 colour{0.72, 0.70, 0.66};      ///< of the surface, with Tint::Plain
+    int samples = 2;                          ///< supersampling: samples x samples a pixel
+};
+
+enum class MeshKind { File, Grid, Cylinder, Icosphere };
+enum class UvProjection { None, Planar, Spherical, Cylindrical };
+
+/// Where a base mesh comes from.
+struct MeshSource {
+    MeshKind kind = MeshKind::Grid;
+    std::string file;  ///< resolved path, MeshKind::File only
+    UvProjection projection = UvProjection::None;
+    int columns = 1;  ///< grid: quads across; cylinder: segments round
+    int rows = 1;     ///< grid: quads up; cylinder: quads along the height
+    glm::dvec2 size{1.0, 1.0};
+    double radius = 1.0;
+    double height = 1.0;
+    int subdivisions = 2;
+    SceneMark mark;
+};
+
+enum class MapKind { File, Donut, Constant, Ramp, Checker, Fbm };
+
+/// A procedural map, or the file to read one from.
+struct MapRecipe {
+    MapKind kind = MapKind::Constant;
+    std::string file;  ///< resolved path, MapKind::File only
+    int width = 256;   ///< of a procedural map, texels
+    int height = 256;
+    int value = 0;  ///< constant
+    int start = 0;  ///< ramp
+    int slope_x = 0;
+    int slope_y = 0;
+    int square = 16;  ///< checker
+    int low = 0;
+    int high = 65535;
+    FbmSettings fbm;
+    SceneMark mark;
+};
+
+enum class MapFilter { Nearest, Bilinear };
+enum class UvSpan { Edges, Centres };  ///< uv 0..1 from border to border, or centre to centre
+
+struct TexelBox {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+
+/// A displacement map and how it is read.
+struct MapSource {
+    MapRecipe recipe;
+    bool used_fallback = false;          ///< the file named by the scene is absent
+    std::string missing_file;            ///< its name as written, with used_fallback
+    std::optional<TexelBox> crop;        ///< applied first
+    std::optional<glm::ivec2> resample;  ///< then this
+    bool flip_rows = false;              ///< then the last row comes to v = 0
+    std::optional<glm::dvec2> samples;   ///< declared sample range of the file
+    glm::dvec2 range{0.0, 1.0};          ///< world displacement at h = 0 and h = 65535
+    bool wrap = false;
+    MapFilter filter = MapFilter::Nearest;
+    UvSpan uv = UvSpan::Edges;
+    SceneMark mark;
+};
+
+enum class StackOrder { Lifo, Fifo };
+enum class BoxShape { Square, Literal };
+enum class HeightMode { Average, Sum };
+enum class NormalSpace { World, Map };
+
+/// Settings of adaptive tessellation (Doggett and Hirche). A test without a threshold is not
+/// part of the effect and its unit is not built.
+struct AdaptiveSettings {
+    std::optional<int> generation_cap;  ///< 0..15; absent = the natural cap
+    StackOrder order = StackOrder::Lifo;
+    bool eager = false;
+    BoxShape box = BoxShape::Square;
+    HeightMode height_mode = HeightMode::Average;
+    /// Average: height LSB, 0..65535. Sum: height LSB x texel^2, 0..2^38.
+    std::optional<double> height_threshold;
+    std::optional<double> normal_threshold;  ///< 0..2
+    NormalSpace normal_space = NormalSpace::World;
+    std::optional<double> view_threshold_px;  ///< 0..4096
+    bool uniform = false;  ///< no height or normal test: split all that ct and the cap allow
+    int contexts = 1;      ///< 1..16
+};
+
+/// One displaced object.
+struct Object {
+    std::string name;
+    std::string method = "adaptive";
+    MeshSource mesh;
+    MapSource map;
+    AdaptiveSettings adaptive;
+    bool bump = false;  ///< displaced normals are wanted in the output
+    SceneMark mark;
+};
+
+/// A scene, validated: every number is in its range, every file it names exists (or its fallback
+/// is in use).
+struct Scene {
+    std::string file;  ///< path as given
+    std::string title;
+    std::string profile = "default";
+    Viewport viewport;
+    CameraSettings camera;
+    std::vector<Light> lights;
+    ViewSettings view;
+    std::vector<Object> objects;
+    std::vector<std::string> notes;  ///< e.g. that a fallback map is in use
+};
+
+/// Reads and validates a scene (format: docs/scene.md). Nothing but the scene file is read; files
+/// it names are only looked for. Every error names file:line:column.
+Result<Scene> read_scene(const std::string& path);
+
+/// As above, from text; `name` stands in messages, `folder` is where relative files are sought.
+Result<Scene> parse_scene(const std::string& text, const std::string& name,
+                          const std::string& folder);
+
+}  // namespace repousse::host
