@@ -42,15 +42,15 @@ template <class P>
 struct Vertex {
     using V = typename P::Value;
     Uv uv;
-    Vec3<V> position;         ///< P, on the base surface
-    Vec3<V> displaced;        ///< P' = P + D N (equation 1)
-    Vec3<V> normal;           ///< N, normalised
-    Vec3<V> tangent;          ///< T, normalised
-    Vec3<V> map_normal;       ///< N_D, as read from the map
-    Vec3<V> displaced_normal; ///< N', normalised
-    ScreenPoint<V> screen;    ///< P' in pixels
-    int8_t handedness = 1;    ///< the bitangent is handedness * (N x T)
-    uint8_t generation = 0;   ///< 0 for base vertices, max of the parents + 1 for midpoints
+    Vec3<V> position;          ///< P, on the base surface
+    Vec3<V> displaced;         ///< P' = P + D N (equation 1)
+    Vec3<V> normal;            ///< N, normalised
+    Vec3<V> tangent;           ///< T, normalised
+    Vec3<V> map_normal;        ///< N_D, as read from the map
+    Vec3<V> displaced_normal;  ///< N', normalised
+    ScreenPoint<V> screen;     ///< P' in pixels
+    int8_t handedness = 1;     ///< the bitangent is handedness * (N x T)
+    uint8_t generation = 0;    ///< 0 for base vertices, max of the parents + 1 for midpoints
 };
 
 /// Where an item stands in the architectural order: its base triangle, then one digit (the push
@@ -74,7 +74,16 @@ template <class P>
 struct Triangle {
     std::array<Vertex<P>, 3> corners;
     Path path;
-    uint8_t unsplit_edges = 0; ///< bit e: edge e was tested in an ancestor and is not split
+    uint8_t unsplit_edges = 0;  ///< bit e: edge e was tested in an ancestor and is not split
+};
+
+/// A triangle that another one turns into, by reference: its corners belong to the parent and to
+/// the edges of the parent's batch.
+template <class P>
+struct Child {
+    std::array<const Vertex<P>*, 3> corners{};
+    Path path;
+    uint8_t unsplit_edges = 0;
 };
 
 /// An edge on its way through the tests, with the vertex that would split it. The ends belong to
@@ -84,13 +93,13 @@ struct Edge {
     const Vertex<P>* v1 = nullptr;
     const Vertex<P>* v2 = nullptr;
     Vertex<P> mid;
-    bool eligible = true;  ///< below the generation cap, and not known to be unsplit
-    bool undecided = true; ///< some test may still be needed; the skip flag, inverted
-    bool ct = true;        ///< Tex Coord Test
-    bool vt = true;        ///< View Test
-    bool nt = false;       ///< Normal Test
-    bool sht = false;      ///< Summed Height Test
-    bool split = false;    ///< the decision
+    bool eligible = true;   ///< below the generation cap, and not known to be unsplit
+    bool undecided = true;  ///< some test may still be needed; the skip flag, inverted
+    bool ct = true;         ///< Tex Coord Test
+    bool vt = true;         ///< View Test
+    bool nt = false;        ///< Normal Test
+    bool sht = false;       ///< Summed Height Test
+    bool split = false;     ///< the decision
 
     /// Whether the new vertex's attributes are wanted: before the normal test by every edge that
     /// is undecided (by all when eager), otherwise after the decision by those that are split.

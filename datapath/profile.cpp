@@ -153,7 +153,8 @@ Result<Profile> make_profile(const std::vector<std::pair<std::string, std::strin
         if (!set) return set.error();
     }
     for (std::size_t i = 0; i < kEntries.size(); ++i) {
-        if (!seen[i]) return bad_value(kEntries[i].key, "missing key", std::string(kEntries[i].doc));
+        if (!seen[i])
+            return bad_value(kEntries[i].key, "missing key", std::string(kEntries[i].doc));
     }
     const Status growth = check_growth(profile);
     if (!growth) return growth.error();

@@ -20,33 +20,33 @@ namespace repousse {
 /// values are possible; read the reasons for the shipped widths in tlm/config/profiles/*.toml.
 struct Profile {
     // Topology: exact, never rounded.
-    Format uv;         ///< texture coordinates in texels (Doggett and Hirche 3.1.2)
-    int sat_width = 0; ///< stored bits of the summed-area table, sums modulo 2^sat_width
+    Format uv;          ///< texture coordinates in texels (Doggett and Hirche 3.1.2)
+    int sat_width = 0;  ///< stored bits of the summed-area table, sums modulo 2^sat_width
 
     // Maps, as stored in memory.
     Format height;      ///< a texel of the displacement map
     Format map_normal;  ///< a component of the displacement map's normal N_D
 
     // Attributes, in world units.
-    Format position;         ///< P and P'
-    Format normal;           ///< components of the base normal N and tangent T
-    Format displaced_normal; ///< components of N'
-    Format filtered_height;  ///< a bilinear height: `height` with more fraction bits
-    Format displacement;     ///< D in world units
-    Format unnormalised;     ///< vectors on their way into a normalisation
-    Format diagonal;         ///< differences of P' in split's squared length
+    Format position;          ///< P and P'
+    Format normal;            ///< components of the base normal N and tangent T
+    Format displaced_normal;  ///< components of N'
+    Format filtered_height;   ///< a bilinear height: `height` with more fraction bits
+    Format displacement;      ///< D in world units
+    Format unnormalised;      ///< vectors on their way into a normalisation
+    Format diagonal;          ///< differences of P' in split's squared length
 
     // View.
-    Format view_row; ///< components of the camera's right, up and forward
-    Format clip;     ///< P' in eye space
-    Format ndc;      ///< eye-space x/w and y/w
-    Format focal;    ///< pixels per unit of x/w, and the viewport's centre
-    Format screen;   ///< pixels
+    Format view_row;  ///< components of the camera's right, up and forward
+    Format clip;      ///< P' in eye space
+    Format ndc;       ///< eye-space x/w and y/w
+    Format focal;     ///< pixels per unit of x/w, and the viewport's centre
+    Format screen;    ///< pixels
 
     // Closed functions.
-    int inverse_sqrt_index_bits = 0;   ///< log2 of the table's entries
+    int inverse_sqrt_index_bits = 0;  ///< log2 of the table's entries
     int inverse_sqrt_newton_steps = 0;
-    int inverse_sqrt_bits = 0;         ///< mantissa bits
+    int inverse_sqrt_bits = 0;  ///< mantissa bits
     int reciprocal_index_bits = 0;
     int reciprocal_newton_steps = 0;
     int reciprocal_bits = 0;
@@ -54,11 +54,11 @@ struct Profile {
 
 /// One key of a profile: a format or an integer with its range.
 struct ProfileEntry {
-    std::string_view key;                 ///< "uv", "table.reciprocal_bits", ...
-    Format Profile::*format = nullptr;    ///< set for formats
-    int Profile::*integer = nullptr;      ///< set for integers
-    int low = 0, high = 0;                ///< integers: range; formats: range of the width
-    bool is_signed = true;                ///< formats: the signedness that the arithmetic expects
+    std::string_view key;               ///< "uv", "table.reciprocal_bits", ...
+    Format Profile::*format = nullptr;  ///< set for formats
+    int Profile::*integer = nullptr;    ///< set for integers
+    int low = 0, high = 0;              ///< integers: range; formats: range of the width
+    bool is_signed = true;              ///< formats: the signedness that the arithmetic expects
     std::string_view doc = {};
 };
 

@@ -31,13 +31,13 @@ struct Port {
 /// the Verilog parameters, the vectors' header and the tables of the sheet.
 struct UnitDesc {
     std::string_view name;
-    std::string_view paper;                ///< paper, section and equation it implements
-    Span<const Port> ports;                ///< in transaction order, most significant first
-    Span<const std::string_view> keys;     ///< every profile entry that changes a result
-    int latency = 1;                       ///< cycles from accept to the first possible departure
-    int interval = 1;                      ///< least cycles between two accepts
-    int capacity = 1;                      ///< transactions the unit can hold
-    int backward_latency = 0;              ///< 0: combinational ready, 1: registered ready
+    std::string_view paper;             ///< paper, section and equation it implements
+    Span<const Port> ports;             ///< in transaction order, most significant first
+    Span<const std::string_view> keys;  ///< every profile entry that changes a result
+    int latency = 1;                    ///< cycles from accept to the first possible departure
+    int interval = 1;                   ///< least cycles between two accepts
+    int capacity = 1;                   ///< transactions the unit can hold
+    int backward_latency = 0;           ///< 0: combinational ready, 1: registered ready
 };
 
 }  // namespace repousse

@@ -32,9 +32,9 @@ struct RepoussePace {
 
 /// A stream of transactions through an engine, which is empty before and after it.
 struct RepousseBatch {
-    uint64_t count;       ///< transactions
-    const int64_t* in;    ///< count * inputs words
-    int64_t* out;         ///< count * outputs words, filled in
+    uint64_t count;     ///< transactions
+    const int64_t* in;  ///< count * inputs words
+    int64_t* out;       ///< count * outputs words, filled in
 
     const uint64_t* offer;  ///< null, or the first cycle in which item i is offered
     const uint64_t* ready;  ///< null, or the first cycle in which item i would be taken
@@ -60,13 +60,13 @@ enum RepousseOutcome : int32_t {
 
 /// The engine's entry points. An instance belongs to one thread at a time.
 struct RepousseEngine {
-    uint32_t abi;            ///< kRepousseEngineAbi
-    const char* unit;        ///< the unit's name
-    const char* simulator;   ///< what runs it, with its version
-    uint32_t configs;        ///< number of Config ports
-    uint32_t inputs;         ///< number of Input ports
-    uint32_t outputs;        ///< number of Output ports
-    uint32_t read_entries;   ///< table entries a request of the read port asks for; 0: no port
+    uint32_t abi;           ///< kRepousseEngineAbi
+    const char* unit;       ///< the unit's name
+    const char* simulator;  ///< what runs it, with its version
+    uint32_t configs;       ///< number of Config ports
+    uint32_t inputs;        ///< number of Input ports
+    uint32_t outputs;       ///< number of Output ports
+    uint32_t read_entries;  ///< table entries a request of the read port asks for; 0: no port
 
     void* (*create)();  ///< a new instance, reset; null if out of memory
     void (*destroy)(void* instance);

@@ -150,7 +150,7 @@ public:
             const std::int64_t flip = ((y >> steps_.flip_a) ^ (y >> steps_.flip_b)) & 1;
             const std::int64_t top = over ? steps_.above : steps_.below;
             const std::int64_t z = ((y ^ -(flip ^ steps_.flip_odd)) & steps_.kept) | top;
-            return over | under ? extend(z) : y;
+            return (over | under) ? extend(z) : y;
         }
     }
 
@@ -166,7 +166,7 @@ public:
 private:
     /// End of the range of sources, after the shift left.
     static constexpr std::int64_t kReach = std::int64_t{1} << 62;
-    /// Squares of 26-bit errors have 52 bits, so that a kernel can add 2^11 of them in 64.
+    /// Squares of 26-bit errors have 52 bits, so that a kernel can add up a block of them in 64.
     static constexpr int kErrorBits = 26;
 
     static std::int64_t shift_left(std::int64_t x, int bits) {
@@ -185,9 +185,17 @@ private:
         return steps_.bias + ((x >> 63) & steps_.bias_if_negative) + (kept & steps_.bias_if_odd);
     }
 
+    /// The common kind is decided here, so that it is inlined into every datapath; the others stay
+    /// behind a call.
     template <class... Counter>
     std::int64_t dispatch(std::int64_t sum, std::int64_t x, Counter&... counter) const {
         if (kind_ == CastKind::Clamp) return apply<CastKind::Clamp>(sum, x, counter...);
+        return dispatch_others(sum, x, counter...);
+    }
+
+    template <class... Counter>
+    [[gnu::noinline]] std::int64_t dispatch_others(std::int64_t sum, std::int64_t x,
+                                                   Counter&... counter) const {
         if (kind_ == CastKind::Wrap) return apply<CastKind::Wrap>(sum, x, counter...);
         if (kind_ == CastKind::VaryingClamp) {
             return apply<CastKind::VaryingClamp>(sum, x, counter...);

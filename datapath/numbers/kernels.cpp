@@ -12,6 +12,14 @@
 #define REPOUSSE_KERNEL
 #endif
 
+// Says that y[i] is no later element's operand, so that y may be an operand's array. (clang finds
+// out at run time.)
+#if defined(__clang__)
+#define REPOUSSE_INDEPENDENT
+#else
+#define REPOUSSE_INDEPENDENT _Pragma("GCC ivdep")
+#endif
+
 namespace repousse {
 namespace {
 
@@ -21,11 +29,11 @@ namespace {
 constexpr std::size_t kBlock = 64;
 
 /// y[i] = cast(exact(i)), i in [from, from + kBlock). The cast is copied, since a store to y might
-/// change the caller's; ivdep says that y[i] is no later element's operand, so that y may be one.
+/// change the caller's.
 template <CastKind kKind, class Exact>
 inline void run(std::size_t from, std::int64_t* y, const Cast& shared, Exact exact) {
     const Cast cast = shared;
-#pragma GCC ivdep
+    REPOUSSE_INDEPENDENT
     for (std::size_t i = 0; i < kBlock; ++i) {
         y[from + i] = cast.fit<kKind>(cast.quantize<kKind>(exact(from + i)));
     }
@@ -46,7 +54,7 @@ inline CastCounters run_counted(std::size_t from, std::int64_t* y, const Cast& s
     std::int64_t in_range = 0;
     std::int64_t error_sum = 0;
     std::int64_t error_squares = 0;
-#pragma GCC ivdep
+    REPOUSSE_INDEPENDENT
     for (std::size_t i = 0; i < kBlock; ++i) {
         const std::int64_t x = exacts[i];
         const std::int64_t wanted = cast.quantize<kKind>(x);

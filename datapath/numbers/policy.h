@@ -15,19 +15,18 @@ namespace repousse {
 /// precision is given up: only in `quantize` and in the closed functions.
 ///
 /// `align(x, bits)` multiplies by 2^bits (floors, for negative bits) so that terms of different
-/// fraction bits can be added or compared; doubles carry their own exponent, so Real ignores it. `exact(raw, frac)` takes in an integer
-/// that stands for raw * 2^-frac: Fixed keeps the integer, Real the value.
+/// fraction bits can be added or compared; doubles carry their own exponent, so Real ignores it.
+/// `exact(raw, frac)` takes in an integer that stands for raw * 2^-frac: Fixed keeps the integer,
+/// Real the value.
 
 /// Bit-accurate: raw two's-complement integers, formats beside them.
 struct Fixed {
     using Value = int32_t;
     using Wide = int64_t;
-    using Texel = int16_t; ///< a component of a stored normal map
+    using Texel = int16_t;  ///< a component of a stored normal map
 
     static Wide mul(Wide a, Wide b) { return a * b; }
-    static Wide align(Wide x, int bits) {
-        return bits >= 0 ? x * (Wide(1) << bits) : x >> -bits;
-    }
+    static Wide align(Wide x, int bits) { return bits >= 0 ? x * (Wide(1) << bits) : x >> -bits; }
     static Wide half(Wide sum) { return sum >> 1; }
     static Wide exact(int64_t raw, int) { return raw; }
     static Value quantize(const Cast& cast, Wide x, uint64_t& overflows) {
@@ -62,7 +61,7 @@ struct Fixed {
             degenerate += square == 0;
             if (square == 0) return {};
             const Scaled s = (*inverse_sqrt_)(static_cast<uint64_t>(square));
-            uint64_t saturated = 0; // |v| rounds to one at most: not an event worth reporting
+            uint64_t saturated = 0;  // |v| rounds to one at most: not an event worth reporting
             return {round_(mul(v.x, s.mantissa), s.exponent, saturated),
                     round_(mul(v.y, s.mantissa), s.exponent, saturated),
                     round_(mul(v.z, s.mantissa), s.exponent, saturated)};

@@ -67,6 +67,33 @@ void AdaptivePipeline<P>::test_edges(Span<const Triangle<P>> triangles, Span<Edg
 }
 
 template <class P>
+bool AdaptivePipeline<P>::run(const Emit& emit, int contexts) {
+    Contexts<P> lanes(contexts, registers_.order, registers_.cap);
+    std::vector<Triangle<P>> triangles(kBatchTriangles);
+    std::vector<Edge<P>> edges(3 * kBatchTriangles);
+    Children<P> children;
+    std::size_t next = 0;
+    const auto fetch = [&](Triangle<P>& place) {
+        if (next == draw_.triangles.size()) return false;
+        place = draw_.base_triangle(next++);
+        prepare_base(place);
+        return true;
+    };
+    bool fits = true;
+    while (const std::size_t n = lanes.gather(triangles, fetch)) {
+        const Span<Edge<P>> batch(edges.data(), 3 * n);
+        test_edges(Span<const Triangle<P>>(triangles.data(), n), batch);
+        for (std::size_t i = 0; i < n; ++i) {
+            split_.tessellate(triangles[i], &edges[3 * i], children);
+            fits = lanes.scatter(i, triangles[i], children) && fits;
+        }
+        lanes.flush(emit);
+    }
+    stack_peak_ = lanes.peak();
+    return fits;
+}
+
+template <class P>
 AdaptiveCounters AdaptivePipeline<P>::counters() const {
     AdaptiveCounters counters;
     counters.stack_peak = stack_peak_;

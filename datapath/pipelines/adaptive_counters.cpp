@@ -6,9 +6,9 @@ namespace repousse {
 namespace {
 
 void add_test(std::vector<CounterRow>& rows, std::string_view unit, const TestCounters& c) {
-    rows.insert(rows.end(), {{unit, "items", c.items},
-                             {unit, "tests", c.tests},
-                             {unit, "positives", c.positives}});
+    rows.insert(
+        rows.end(),
+        {{unit, "items", c.items}, {unit, "tests", c.tests}, {unit, "positives", c.positives}});
 }
 
 }  // namespace

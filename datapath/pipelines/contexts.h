@@ -18,7 +18,7 @@ template <class P>
 struct OutputVertex {
     Uv uv;
     Vec3<typename P::Value> displaced;
-    Vec3<typename P::Value> displaced_normal; ///< zero unless the scene asks for `bump`
+    Vec3<typename P::Value> displaced_normal;  ///< zero unless the scene asks for `bump`
     uint8_t generation = 0;
 };
 
@@ -52,7 +52,7 @@ public:
                 batch[n].path = Path{context.base, 0, {}};
                 pending_.push_back({take_buffer(), false});
             } else {
-                batch[n] = context.stack.pop();
+                context.stack.pop(batch[n]);
             }
             in_batch_.push_back(c);
             ++n;
@@ -65,7 +65,10 @@ public:
     bool scatter(std::size_t i, const Triangle<P>& triangle, const Children<P>& children) {
         Context& context = contexts_[in_batch_[i]];
         Pending& pending = pending_[context.base - first_pending_];
-        if (children.count == 0) pending.triangles.push_back(output(triangle));
+        if (children.count == 0) {
+            const auto& [a, b, c] = triangle.corners;
+            pending.triangles.push_back({{output(a), output(b), output(c)}, triangle.path});
+        }
         bool fits = true;
         for (int k = 0; k < children.count; ++k) {
             fits = context.stack.push(children.triangles[static_cast<std::size_t>(k)]) && fits;
@@ -108,14 +111,8 @@ private:
         bool done;
     };
 
-    static OutputTriangle<P> output(const Triangle<P>& triangle) {
-        OutputTriangle<P> out;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Vertex<P>& v = triangle.corners[k];
-            out.corners[k] = {v.uv, v.displaced, v.displaced_normal, v.generation};
-        }
-        out.path = triangle.path;
-        return out;
+    static OutputVertex<P> output(const Vertex<P>& v) {
+        return {v.uv, v.displaced, v.displaced_normal, v.generation};
     }
 
     std::vector<OutputTriangle<P>> take_buffer() {

@@ -20,13 +20,13 @@ struct AdaptiveRegisters {
     bool use_view_test = false;
     bool use_normal_test = false;
     bool use_height_test = false;
-    bool use_bump = false; ///< displaced normals are wanted, by the normal test or as output
-    bool eager = false;    ///< never skip a test
-    int cap = 0;           ///< generation cap, 0 to 15
+    bool use_bump = false;  ///< displaced normals are wanted, by the normal test or as output
+    bool eager = false;     ///< never skip a test
+    int cap = 0;            ///< generation cap, 0 to 15
     StackOrder order = StackOrder::Lifo;
     NormalSpace normal_space = NormalSpace::World;
-    typename P::Wide view_threshold{};    ///< pixels, in the format of `screen`
-    typename P::Value normal_threshold{}; ///< in the format of `displaced_normal`
+    typename P::Wide view_threshold{};     ///< pixels, in the format of `screen`
+    typename P::Value normal_threshold{};  ///< in the format of `displaced_normal`
     HeightTestRegisters height_test;
 };
 
@@ -34,8 +34,8 @@ struct AdaptiveRegisters {
 template <class P>
 struct MapTables {
     std::vector<uint16_t> heights;
-    std::vector<Vec3<typename P::Texel>> normals; ///< empty unless bump is used
-    std::vector<uint64_t> sums;                   ///< empty unless the height test is used
+    std::vector<Vec3<typename P::Texel>> normals;  ///< empty unless bump is used
+    std::vector<uint64_t> sums;                    ///< empty unless the height test is used
 };
 
 /// All that the device gets for one object: base mesh, tables and registers, in its own formats.
@@ -45,7 +45,7 @@ struct AdaptiveDraw {
     std::vector<Vertex<P>> vertices;
     std::vector<std::array<uint32_t, 3>> triangles;
     MapTables<P> tables;
-    MapView<P> map; ///< its spans are set by `view()`
+    MapView<P> map;  ///< its spans are set by `view()`
     ViewRegisters<P> camera;
     AdaptiveRegisters<P> registers;
 

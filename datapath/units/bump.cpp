@@ -35,9 +35,9 @@ void Bump<P>::operator()(Vertex<P>& vertex) {
     ++counters_.reads;
     const int x = texel_address(vertex.uv.x >> uv_frac_, map_.width, map_.wrap);
     const int y = texel_address(vertex.uv.y >> uv_frac_, map_.height, map_.wrap);
-    const auto& stored = map_.normals[static_cast<std::size_t>(y) *
-                                          static_cast<std::size_t>(map_.width) +
-                                      static_cast<std::size_t>(x)];
+    const auto& stored =
+        map_.normals[static_cast<std::size_t>(y) * static_cast<std::size_t>(map_.width) +
+                     static_cast<std::size_t>(x)];
     const Vec3<V> d{V(stored.x), V(stored.y), V(stored.z)};
     vertex.map_normal = d;
 
@@ -49,9 +49,9 @@ void Bump<P>::operator()(Vertex<P>& vertex) {
         return P::quantize(to_unnormalised_, P::mul(tc, d.x) + P::mul(bc, d.y) + P::mul(nc, d.z),
                            counters_.overflows);
     };
-    vertex.displaced_normal = normalise_(
-        {rotated(t.x, b.x, n.x), rotated(t.y, b.y, n.y), rotated(t.z, b.z, n.z)},
-        counters_.degenerate);
+    vertex.displaced_normal =
+        normalise_({rotated(t.x, b.x, n.x), rotated(t.y, b.y, n.y), rotated(t.z, b.z, n.z)},
+                   counters_.degenerate);
 }
 
 template <class P>

@@ -12,10 +12,10 @@ namespace repousse {
 
 /// What `bump` counted.
 struct BumpCounters {
-    uint64_t items = 0;      ///< normals made
-    uint64_t reads = 0;      ///< normal map texels read
-    uint64_t overflows = 0;  ///< an intermediate vector left its format
-    uint64_t degenerate = 0; ///< the rotated normal was zero and stays zero
+    uint64_t items = 0;       ///< normals made
+    uint64_t reads = 0;       ///< normal map texels read
+    uint64_t overflows = 0;   ///< an intermediate vector left its format
+    uint64_t degenerate = 0;  ///< the rotated normal was zero and stays zero
 };
 
 /// The bump mapping unit in the Tessellation Tests (Doggett and Hirche 2.1, figure 8): the map's

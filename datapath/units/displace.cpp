@@ -53,8 +53,8 @@ typename P::Value Displace<P>::displacement(Uv u) {
         ++counters_.reads;
         height = P::align(P::exact(texel(u.x >> uv_frac_, u.y >> uv_frac_), 0), filter_bits_);
     }
-    const V scaled = P::quantize(to_displacement_, P::mul(height, map_.scale_mantissa),
-                                 counters_.overflows);
+    const V scaled =
+        P::quantize(to_displacement_, P::mul(height, map_.scale_mantissa), counters_.overflows);
     return P::quantize(add_bias_, typename P::Wide(scaled) + map_.bias, counters_.overflows);
 }
 

@@ -12,9 +12,9 @@ namespace repousse {
 
 /// What `displace` counted.
 struct DisplaceCounters {
-    uint64_t items = 0;     ///< vertices displaced
-    uint64_t reads = 0;     ///< texels read
-    uint64_t overflows = 0; ///< D or P' left its format
+    uint64_t items = 0;      ///< vertices displaced
+    uint64_t reads = 0;      ///< texels read
+    uint64_t overflows = 0;  ///< D or P' left its format
 };
 
 /// Displace Vertex (Doggett and Hirche, equation 1 and section 3): P' = P + D(U) N.
@@ -53,8 +53,8 @@ private:
     int64_t texel(int x, int y) const;
 
     int uv_frac_;
-    int filter_bits_;      // extra fraction bits of a filtered height over a stored one
-    int align_position_;   // from the position's fraction to that of D * N
+    int filter_bits_;     // extra fraction bits of a filtered height over a stored one
+    int align_position_;  // from the position's fraction to that of D * N
     Format displacement_format_;
     Cast to_filtered_;
     Cast to_displacement_;

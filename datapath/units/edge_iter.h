@@ -10,9 +10,9 @@ namespace repousse {
 
 /// What `edge_iter` counted.
 struct EdgeIterCounters {
-    uint64_t items = 0;         ///< edges sent on
-    uint64_t capped = 0;        ///< of these, not eligible because of the generation cap
-    uint64_t known_unsplit = 0; ///< of these, not eligible because an ancestor tested them
+    uint64_t items = 0;          ///< edges sent on
+    uint64_t capped = 0;         ///< of these, not eligible because of the generation cap
+    uint64_t known_unsplit = 0;  ///< of these, not eligible because an ancestor tested them
 };
 
 /// Get Triangle's second half (Doggett and Hirche 3.1): sends the edges 12, 23, 31 of a triangle
@@ -25,7 +25,7 @@ struct EdgeIterCounters {
 template <class P>
 class EdgeIter {
 public:
-    static constexpr int kMaxCap = 15; ///< generations have 4 bits
+    static constexpr int kMaxCap = 15;  ///< generations have 4 bits
 
     /// `cap`: the highest generation a new vertex may have, 0 (never split) to kMaxCap.
     void configure(int cap) { cap_ = cap; }

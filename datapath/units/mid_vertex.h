@@ -11,10 +11,10 @@ namespace repousse {
 
 /// What `mid_vertex` counted.
 struct MidVertexCounters {
-    uint64_t items = 0;      ///< midpoints made
-    uint64_t attributes = 0; ///< of these, with position, normal and tangent
-    uint64_t overflows = 0;  ///< a sum of normals left its format
-    uint64_t degenerate = 0; ///< two opposite normals or tangents: the mean has no direction
+    uint64_t items = 0;       ///< midpoints made
+    uint64_t attributes = 0;  ///< of these, with position, normal and tangent
+    uint64_t overflows = 0;   ///< a sum of normals left its format
+    uint64_t degenerate = 0;  ///< two opposite normals or tangents: the mean has no direction
 };
 
 /// Calculate New U, New P and New N (Doggett and Hirche 2.1, 3.1.2, 3.1.4): the vertex half-way

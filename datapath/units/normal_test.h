@@ -12,8 +12,8 @@ namespace repousse {
 
 /// In which space the normal test compares.
 enum class NormalSpace : uint8_t {
-    World, ///< N', as printed
-    Map,   ///< N_D and N apart: invariant where mirrored texture coordinates meet at a seam
+    World,  ///< N', as printed
+    Map,    ///< N_D and N apart: invariant where mirrored texture coordinates meet at a seam
 };
 
 /// The Surface Normal Variance Test (Doggett and Hirche 2.2, 3.1.4; the printed comparison lacks
@@ -41,8 +41,8 @@ public:
     void reset() { counters_ = {}; }
 
 private:
-    int align_map_;  // from displaced_normal's fraction to map_normal's; negative if coarser
-    int align_base_; // from displaced_normal's fraction to normal's
+    int align_map_;   // from displaced_normal's fraction to map_normal's; negative if coarser
+    int align_base_;  // from displaced_normal's fraction to normal's
     typename P::Wide threshold_{};
     typename P::Wide map_threshold_{};
     typename P::Wide base_threshold_{};

@@ -7,11 +7,11 @@ namespace {
 enum UnsplitEdge : uint8_t { kNone = 0, kFirst = 1, kSecond = 2, kThird = 4 };
 
 template <class P>
-void add(Children<P>& children, const Triangle<P>& parent, const Vertex<P>& v1,
-         const Vertex<P>& v2, const Vertex<P>& v3, unsigned unsplit) {
+void add(Children<P>& children, const Triangle<P>& parent, const Vertex<P>& v1, const Vertex<P>& v2,
+         const Vertex<P>& v3, unsigned unsplit) {
     const auto digit = static_cast<unsigned>(children.count);
-    Triangle<P>& child = children.triangles[static_cast<std::size_t>(children.count++)];
-    child.corners = {v1, v2, v3};
+    Child<P>& child = children.triangles[static_cast<std::size_t>(children.count++)];
+    child.corners = {&v1, &v2, &v3};
     child.path = parent.path.child(digit);
     child.unsplit_edges = static_cast<uint8_t>(unsplit);
 }
@@ -19,8 +19,7 @@ void add(Children<P>& children, const Triangle<P>& parent, const Vertex<P>& v1,
 }  // namespace
 
 template <class P>
-Split<P>::Split(const Profile& profile)
-    : to_diagonal_(profile.position.frac, profile.diagonal) {}
+Split<P>::Split(const Profile& profile) : to_diagonal_(profile.position.frac, profile.diagonal) {}
 
 template <class P>
 void Split<P>::decide(Span<Edge<P>> edges) const {

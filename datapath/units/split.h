@@ -13,15 +13,15 @@ namespace repousse {
 /// The triangles that one triangle turns into, in push order. None: it passes.
 template <class P>
 struct Children {
-    std::array<Triangle<P>, 4> triangles;
+    std::array<Child<P>, 4> triangles;
     int count = 0;
 };
 
 /// What `split` counted.
 struct SplitCounters {
-    uint64_t items = 0;                  ///< triangles
-    std::array<uint64_t, 4> edges_split{}; ///< triangles by number of split edges
-    uint64_t overflows = 0;              ///< a diagonal's component left its format
+    uint64_t items = 0;                     ///< triangles
+    std::array<uint64_t, 4> edges_split{};  ///< triangles by number of split edges
+    uint64_t overflows = 0;                 ///< a diagonal's component left its format
 };
 
 /// Pass or Tessellate and Tessellation (Doggett and Hirche 2.6, 3.1.5, figure 6).
@@ -45,7 +45,7 @@ public:
     /// Step 1 for every edge.
     void decide(Span<Edge<P>> edges) const;
 
-    /// Steps 2 and 3 for a triangle and its three decided edges.
+    /// Steps 2 and 3 for a triangle and its three decided edges. The children refer to both.
     void tessellate(const Triangle<P>& triangle, const Edge<P>* edges, Children<P>& children);
 
     const SplitCounters& counters() const { return counters_; }

@@ -14,22 +14,22 @@ namespace repousse {
 template <class P>
 struct ViewRegisters {
     using V = typename P::Value;
-    Vec3<V> eye;     ///< position
-    Vec3<V> right;   ///< view_row, a unit vector
-    Vec3<V> up;      ///< view_row
-    Vec3<V> forward; ///< view_row
-    V near{};        ///< clip: points with w <= near have no screen position
-    V focal_x{};     ///< focal: pixels per unit of x/w
-    V focal_y{};     ///< focal: negative where rows run downwards
-    V centre_x{};    ///< focal: the viewport's centre in pixels
+    Vec3<V> eye;      ///< position
+    Vec3<V> right;    ///< view_row, a unit vector
+    Vec3<V> up;       ///< view_row
+    Vec3<V> forward;  ///< view_row
+    V near{};         ///< clip: points with w <= near have no screen position
+    V focal_x{};      ///< focal: pixels per unit of x/w
+    V focal_y{};      ///< focal: negative where rows run downwards
+    V centre_x{};     ///< focal: the viewport's centre in pixels
     V centre_y{};
 };
 
 /// What `vertex_transform` counted.
 struct VertexTransformCounters {
     uint64_t items = 0;
-    uint64_t overflows = 0; ///< eye space, x/w or the screen position left its format
-    uint64_t behind = 0;    ///< vertices with w <= near
+    uint64_t overflows = 0;  ///< eye space, x/w or the screen position left its format
+    uint64_t behind = 0;     ///< vertices with w <= near
 };
 
 /// The Transform stage (Doggett and Hirche, figure 7): a displaced vertex to pixels.

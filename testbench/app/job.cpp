@@ -109,12 +109,12 @@ std::vector<UnitReason> explain_units(const Job& job) {
         {"view_test", d.view_test,
          yes_no(d.view_test, "an object has view_threshold_px", "no object has view_threshold_px")},
         {"bump", d.bump,
-         yes_no(d.bump, d.normal_test ? "the normal test compares displaced normals"
-                                      : "an object asks for displaced normals with [object.bump]",
+         yes_no(d.bump,
+                d.normal_test ? "the normal test compares displaced normals"
+                              : "an object asks for displaced normals with [object.bump]",
                 "no object has normal_threshold or [object.bump]: no normal map is made")},
         {"normal_test", d.normal_test,
-         yes_no(d.normal_test, "an object has normal_threshold",
-                "no object has normal_threshold")},
+         yes_no(d.normal_test, "an object has normal_threshold", "no object has normal_threshold")},
         {"height_test", d.height_test,
          yes_no(d.height_test, "an object has a height threshold",
                 "no object has a height threshold: no summed-area table is made")},

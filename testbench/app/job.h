@@ -30,7 +30,7 @@ struct Job {
     Profile profile;
     std::vector<LoadedObject> objects;
     DeviceConfig device;
-    std::vector<std::string> notes; ///< what a user should know but need not mend
+    std::vector<std::string> notes;  ///< what a user should know but need not mend
 
     /// How object i is tessellated; it refers to this job.
     host::DrawInputs inputs(std::size_t i) const;

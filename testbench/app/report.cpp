@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-
 namespace repousse::app {
 namespace {
 
@@ -68,8 +67,7 @@ Json units_part(const Job& job, const SimResult& result) {
         for (const CounterRow& row : result.counters) {
             if (row.unit == reason.unit) counters[std::string(row.name)] = row.value;
         }
-        elaborated.push_back(
-            {{"unit", reason.unit}, {"why", reason.why}, {"counters", counters}});
+        elaborated.push_back({{"unit", reason.unit}, {"why", reason.why}, {"counters", counters}});
     }
     return {{"elaborated", elaborated}, {"omitted", omitted}};
 }
@@ -149,13 +147,11 @@ std::string summary(const Job& job, Level level, const SimResult& result) {
                                 object.invariants->zero_area);
         }
     }
-    text += fmt::format("  tests: {} edges; tc {}, vt {}, nt {}, sht {}; {} table reads\n",
-                        counter(result, "edge_iter", "items"),
-                        counter(result, "texcoord_test", "tests"),
-                        counter(result, "view_test", "tests"),
-                        counter(result, "normal_test", "tests"),
-                        counter(result, "height_test", "tests"),
-                        counter(result, "height_test", "reads"));
+    text += fmt::format(
+        "  tests: {} edges; tc {}, vt {}, nt {}, sht {}; {} table reads\n",
+        counter(result, "edge_iter", "items"), counter(result, "texcoord_test", "tests"),
+        counter(result, "view_test", "tests"), counter(result, "normal_test", "tests"),
+        counter(result, "height_test", "tests"), counter(result, "height_test", "reads"));
     std::string omitted;
     for (const UnitReason& reason : explain_units(job)) {
         if (!reason.built) omitted += (omitted.empty() ? "" : ", ") + std::string(reason.unit);
@@ -178,8 +174,7 @@ Status verdict(const Job& job, const SimResult& result) {
         if (!invariants || invariants->open_edges == 0) continue;
         return Error{ErrorKind::Mismatch, "object \"" + job.objects[i].object->name + "\"",
                      fmt::format("{} open edges: the surface has cracks", invariants->open_edges),
-                     "none",
-                     "at a texture seam, make the map periodic with wrap = true"};
+                     "none", "at a texture seam, make the map periodic with wrap = true"};
     }
     return done();
 }

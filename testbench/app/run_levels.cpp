@@ -1,10 +1,9 @@
 #include "testbench/app/run_levels.h"
 
 #include <chrono>
-#include <cmath>
-#include <type_traits>
 
 #include "datapath/pipelines/adaptive.h"
+#include "testbench/host/leaves.h"
 #include "testbench/host/surface.h"
 #include "tlm/platform/platform.h"
 
@@ -25,24 +24,6 @@ private:
 };
 
 template <class P>
-std::vector<reference::LeafTriangle> leaves_of(const Triangles<P>& triangles,
-                                               const Profile& profile) {
-    const int frac = std::is_same_v<P, Real> ? 0 : profile.position.frac;
-    std::vector<reference::LeafTriangle> leaves(triangles.size());
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        leaves[i].base = triangles[i].path.base;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const OutputVertex<P>& v = triangles[i].corners[k];
-            leaves[i].corners[k] = {{v.uv.x, v.uv.y},
-                                    {std::ldexp(double(v.displaced.x), -frac),
-                                     std::ldexp(double(v.displaced.y), -frac),
-                                     std::ldexp(double(v.displaced.z), -frac)}};
-        }
-    }
-    return leaves;
-}
-
-template <class P>
 Triangles<P> tessellate(AdaptivePipeline<P>& pipeline) {
     Triangles<P> triangles;
     pipeline.run([&](Span<const OutputTriangle<P>> some) {
@@ -57,8 +38,8 @@ reference::LeafReport judge(const Profile& profile, AdaptiveDraw<P> draw,
                             const Triangles<P>& triangles) {
     draw.registers.cap = 0;
     AdaptivePipeline<P> base(profile, draw);
-    return reference::check_leaves(leaves_of<P>(triangles, profile),
-                                   leaves_of<P>(tessellate(base), profile));
+    return reference::check_leaves(host::leaves_of<P>(triangles, profile),
+                                   host::leaves_of<P>(tessellate(base), profile));
 }
 
 template <class P>
@@ -122,8 +103,10 @@ Result<SimResult> run_ref(const Job& job, bool check, const Progress& progress) 
 Result<SimResult> run_lt(const Job& job, bool check, const Progress& progress) {
     const auto draws = make_draws<Fixed>(job, job.profile);
     if (!draws) return draws.error();
+    Result<shell::Platform> platform = shell::Platform::create(job.device, *draws);
+    if (!platform) return platform.error();
     const Stopwatch watch;
-    const auto run = shell::run_platform(job.device, *draws);
+    const auto run = platform->run(*draws);
     if (!run) return run.error();
     SimResult result;
     result.tessellation_s = watch.seconds();
@@ -142,12 +125,14 @@ Result<Level> parse_level(const std::string& text) {
     if (text == "ref") return Level::Ref;
     if (text == "lt") return Level::Lt;
     const std::string level = text.substr(0, text.find(','));
-    const bool known = level == "at" || level == "rtl" || level == "shadow" || level == "device-rtl";
+    const bool known =
+        level == "at" || level == "rtl" || level == "shadow" || level == "device-rtl";
     const bool has_override = level.size() != text.size();
-    return Error{ErrorKind::Input, "--level",
-                 "\"" + text + "\" is " +
-                     (known || has_override ? "not built yet" : "not a level"),
-                 "ref or lt", {}};
+    return Error{ErrorKind::Input,
+                 "--level",
+                 "\"" + text + "\" is " + (known || has_override ? "not built yet" : "not a level"),
+                 "ref or lt",
+                 {}};
 }
 
 Result<SimResult> run_level(const Job& job, Level level, bool check, const Progress& progress) {

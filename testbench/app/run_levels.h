@@ -23,17 +23,17 @@ struct ObjectResult {
     std::size_t base_triangles = 0;
     int cap = 0;
     host::Mesh surface;
-    std::optional<reference::LeafReport> invariants; ///< absent if the check was not wanted
+    std::optional<reference::LeafReport> invariants;  ///< absent if the check was not wanted
 };
 
 /// What a run gave.
 struct SimResult {
     std::vector<ObjectResult> objects;
-    std::vector<CounterRow> counters; ///< summed over the objects
-    uint64_t table_bytes = 0;    ///< maps and tables that were made
-    uint64_t cycles = 0;         ///< of the device; 0 at level ref
-    double simulated_ns = 0;     ///< 0 at level ref
-    double tessellation_s = 0;   ///< wall time of the level's own work
+    std::vector<CounterRow> counters;  ///< summed over the objects
+    uint64_t table_bytes = 0;          ///< maps and tables that were made
+    uint64_t cycles = 0;               ///< of the device; 0 at level ref
+    double simulated_ns = 0;           ///< 0 at level ref
+    double tessellation_s = 0;         ///< wall time of the level's own work
 };
 
 /// Tessellates every object of the job at the level. `check` judges the result by the invariants.

@@ -4,9 +4,6 @@
 #include <cmath>
 #include <type_traits>
 
-#include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
-
 #include "datapath/units/edge_iter.h"
 #include "testbench/host/map/normal_map.h"
 #include "testbench/host/map/summed_area_table.h"
@@ -80,8 +77,7 @@ void encode_map(Encoder<P>& encode, const Profile& profile, const DrawInputs& in
     draw.map.width = map.width;
     draw.map.height = map.height;
     draw.map.wrap = map.wrap;
-    draw.map.filter =
-        inputs.filter == MapFilter::Bilinear ? HeightFilter::Bilinear : HeightFilter::Nearest;
+    draw.map.filter = inputs.filter;
     draw.map.bias = encode.value(map.range_low, &Profile::displacement, "displacement");
     encode.value(map.range_high, &Profile::displacement, "displacement");
     draw.tables.heights = map.texels;
@@ -137,9 +133,8 @@ void encode_registers(const Profile& profile, const DrawInputs& inputs, Adaptive
     r.use_bump = r.use_normal_test || inputs.bump;
     r.eager = s.eager;
     r.cap = s.generation_cap ? *s.generation_cap : natural_cap(inputs, profile.uv.frac);
-    r.order = s.order == StackOrder::Fifo ? repousse::StackOrder::Fifo : repousse::StackOrder::Lifo;
-    r.normal_space = s.normal_space == NormalSpace::Map ? repousse::NormalSpace::Map
-                                                        : repousse::NormalSpace::World;
+    r.order = s.order;
+    r.normal_space = s.normal_space;
     // Differences may be longer than what they are differences of, so neither threshold is a value
     // of the format whose fraction bits it has.
     const auto threshold = [](double value, int frac) {
@@ -157,9 +152,8 @@ void encode_registers(const Profile& profile, const DrawInputs& inputs, Adaptive
     h.width = inputs.map->width;
     h.height = inputs.map->height;
     h.wrap = inputs.map->wrap;
-    h.box = s.box == BoxShape::Literal ? BoxKind::Literal : BoxKind::Square;
-    h.mode = s.height_mode == HeightMode::Sum ? repousse::HeightMode::Sum
-                                              : repousse::HeightMode::Average;
+    h.box = s.box;
+    h.mode = s.height_mode;
     // Thresholds are in 16-bit height LSB; a narrower height has coarser ones.
     h.threshold = static_cast<uint64_t>(
         std::floor(std::ldexp(s.height_threshold.value_or(0), profile.height.width - 16)));
@@ -191,19 +185,6 @@ Status check_domain(const Profile& profile, const AdaptiveDraw<P>& draw) {
 }
 
 }  // namespace
-
-ViewFrame view_frame(const CameraSettings& camera, const Viewport& viewport) {
-    ViewFrame frame;
-    frame.eye = camera.eye;
-    frame.forward = glm::normalize(camera.target - camera.eye);
-    frame.right = glm::normalize(glm::cross(frame.forward, camera.up));
-    frame.up = glm::cross(frame.right, frame.forward);
-    frame.near = camera.near;
-    const double focal = 0.5 * viewport.height_px / std::tan(0.5 * glm::radians(camera.fov_deg));
-    frame.focal = {focal, -focal};
-    frame.centre = {0.5 * viewport.width_px, 0.5 * viewport.height_px};
-    return frame;
-}
 
 Uv texel_uv(glm::dvec2 uv, const HeightMap& map, UvSpan span, int frac) {
     const glm::dvec2 texel = texel_coordinate(uv, map, span);

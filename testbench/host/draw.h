@@ -12,30 +12,16 @@
 #include "testbench/host/map/height_map.h"
 #include "testbench/host/mesh/mesh.h"
 #include "testbench/host/scene/scene.h"
+#include "testbench/host/view/camera.h"
 
 namespace repousse::host {
-
-/// The camera as the device's registers want it, in doubles. Screen positions are
-/// centre + focal * (right . e / forward . e), e = P' - eye; y likewise with up.
-struct ViewFrame {
-    glm::dvec3 eye{0.0};
-    glm::dvec3 right{1.0, 0.0, 0.0};
-    glm::dvec3 up{0.0, 1.0, 0.0};
-    glm::dvec3 forward{0.0, 0.0, -1.0};
-    double near = 1e-6;
-    glm::dvec2 focal{1.0};
-    glm::dvec2 centre{0.0};
-};
-
-/// The frame of a scene's camera; rows of pixels run downwards.
-ViewFrame view_frame(const CameraSettings& camera, const Viewport& viewport);
 
 /// An object, loaded, with everything that decides how it is tessellated.
 struct DrawInputs {
     const Mesh* mesh = nullptr;
     const HeightMap* map = nullptr;
     AdaptiveSettings settings;
-    MapFilter filter = MapFilter::Nearest;
+    HeightFilter filter = HeightFilter::Nearest;
     UvSpan uv = UvSpan::Edges;
     bool bump = false;           ///< displaced normals are wanted in the output
     glm::dvec2 texel_size{0.0};  ///< world units a texel, for the finite differences

@@ -75,7 +75,7 @@ TEST(HardCase, AxisAlignedEdgesNeedSquareBoxes) {
     object.settings.height_threshold = 1e5;
     const Profile profile = host::reference_profile(test::profile_with_uv("default", 16));
     EXPECT_EQ(test::tessellate<Real>(profile, object).report.triangles, 2694u);
-    object.settings.box = host::BoxShape::Literal;
+    object.settings.box = host::BoxKind::Literal;
     EXPECT_EQ(test::tessellate<Real>(profile, object).report.triangles, 1132u);
 }
 
@@ -233,7 +233,7 @@ TEST(HardCase, TheWholeRealMap) {
     object.mesh = host::make_grid(26, 22, {1.0, 0.8536});
     object.map = test::jacksboro_relief(0, 0, 403, 344).map;
     object.map.range_high = 0.09;
-    object.filter = host::MapFilter::Bilinear;
+    object.filter = host::HeightFilter::Bilinear;
     object.uv = host::UvSpan::Centres;
     object.settings.height_threshold = 300;
     object.settings.normal_threshold = 0.25;

@@ -68,9 +68,9 @@ TEST_P(Invariants, HoldWithEveryTestAndOption) {
             const bool sum = tests == 2 || tests == 4;
             s.height_mode = sum ? host::HeightMode::Sum : host::HeightMode::Average;
             if (sum) s.height_threshold = 2e5;
-            s.box = options & 1 ? host::BoxShape::Literal : host::BoxShape::Square;
+            s.box = options & 1 ? host::BoxKind::Literal : host::BoxKind::Square;
             s.normal_space = options & 2 ? host::NormalSpace::Map : host::NormalSpace::World;
-            object.filter = options & 4 ? host::MapFilter::Bilinear : host::MapFilter::Nearest;
+            object.filter = options & 4 ? host::HeightFilter::Bilinear : host::HeightFilter::Nearest;
             const char* shipped = options & 8 ? "narrow" : "default";
             const Outcome outcome =
                 test::tessellate<Fixed>(test::profile_with(shipped, {}), object);

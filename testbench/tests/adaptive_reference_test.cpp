@@ -56,8 +56,8 @@ protected:
     }
 
     reference::HeightError error(const test::AdaptiveRun& run) const {
-        const reference::SampleLattice texel_centres{256, 256, .5 / 256, 1. / 256, .5 / 256,
-                                                     1. / 256};
+        const reference::SampleLattice texel_centres{256,      256,      .5 / 256,
+                                                     1. / 256, .5 / 256, 1. / 256};
         return reference::height_error(run.leaves, texel_centres, [this](int x, int y) {
             return map_.at(x, y) * (.12 / 65535);
         });
@@ -66,7 +66,8 @@ protected:
 
 TEST_P(ReferenceRow, LevelRefIsExact) {
     const Row& row = GetParam();
-    const Profile profile = host::reference_profile(test::profile_with("default", {{"uv", "s14.16"}}));
+    const Profile profile =
+        host::reference_profile(test::profile_with("default", {{"uv", "s14.16"}}));
     auto in = inputs(row);
     ASSERT_EQ(host::natural_cap(in, profile.uv.frac), 7);
     const auto draw = host::make_draw<Real>(profile, in);

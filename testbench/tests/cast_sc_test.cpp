@@ -141,7 +141,7 @@ std::vector<Mutant> mutants() {
                             s.below = s.low;
                         }),
         overflow_mutant("SC_WRAP extends the wrong sign bit", O::SC_WRAP,
-                        [](auto& s, auto&) { ++s.unused; }),
+                        [](auto& s, auto& f) { s.unused += f.width > 1 ? 1 : 0; }),
         overflow_mutant("SC_WRAP n keeps n - 1", O::SC_WRAP,
                         [](auto& s, auto& f) {
                             if (f.saturated_bits > 0) s.kept = 2 * s.kept + 1;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <random>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -187,6 +188,35 @@ TEST(Ply, RefusesBinaryWithOffsets) {
     claim.replace(claim.find("element vertex 4"), 16, "element vertex 2000000000");
     const std::string at = "m.ply: offset " + std::to_string(body + 9);
     expect_starts(read_ply(claim, "m.ply"), at + ": the header claims 2000000000 vertex elements");
+}
+
+TEST(ReadMesh, DamagedFilesGiveAMeshOrAnError) {
+    const Mesh mesh = make_grid(2, 2);
+    const std::string files[] = {
+        to_ply(mesh), std::string(kAsciiHeader) + "0 0 0 9\n1 0 0 9\n0 1 .5 9\n3 0 1 2\n7\n",
+        "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3 255 0 0\n",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n"};
+    std::mt19937 random(1);
+    for (int round = 0; round < 20000; ++round) {
+        std::string bytes = files[round % 4];
+        for (int k = 0; k <= round % 5; ++k) {
+            bytes[random() % bytes.size()] = static_cast<char>(
+                random() % 3 == 0 ? random() % 256 : "0123456789 -.\n/e#\\"[random() % 18]);
+        }
+        if (round % 7 == 0) bytes.resize(random() % bytes.size());
+        const int kind = round % 4;
+        const auto read = kind < 2    ? read_ply(bytes, "m")
+                          : kind == 2 ? read_off(bytes, "m")
+                                      : read_obj(bytes, "m");
+        if (!read.ok()) {
+            ASSERT_EQ(read.error().where[0], 'm') << read.error().message();
+            continue;
+        }
+        for (const auto& t : read->triangles) {
+            for (const std::uint32_t corner : t) ASSERT_LT(corner, read->positions.size());
+        }
+        for (const glm::dvec3& p : read->positions) ASSERT_TRUE(p.x - p.x == 0.0);
+    }
 }
 
 TEST(ReadMesh, NamesMissingAndUnknownFiles) {

@@ -77,7 +77,7 @@ test::Object random_object(std::mt19937_64& random) {
             for (double& hand : object.mesh.handedness) hand = -1.0;
         }
     }
-    object.filter = pick(random, {host::MapFilter::Nearest, host::MapFilter::Bilinear});
+    object.filter = pick(random, {host::HeightFilter::Nearest, host::HeightFilter::Bilinear});
     object.uv = pick(random, {host::UvSpan::Edges, host::UvSpan::Centres});
     host::AdaptiveSettings& s = object.settings;
     const auto tests = random() % 8;
@@ -87,7 +87,7 @@ test::Object random_object(std::mt19937_64& random) {
         s.height_threshold = std::exp2(16 * fraction(random));
     }
     if (tests & 4) s.view_threshold_px = std::exp2(6 * fraction(random));
-    s.box = pick(random, {host::BoxShape::Square, host::BoxShape::Literal});
+    s.box = pick(random, {host::BoxKind::Square, host::BoxKind::Literal});
     s.normal_space = pick(random, {host::NormalSpace::World, host::NormalSpace::Map});
     s.order = pick(random, {host::StackOrder::Lifo, host::StackOrder::Fifo});
     s.eager = random() % 2 == 0;
@@ -179,7 +179,7 @@ TEST(ReferenceTessellator, HasNoOpenEdgeWithoutMistake) {
     for (const int frac : {0, 2, 4, 8, 16}) {
         test::Object object = terrain();
         EXPECT_EQ(broken(object, frac, Mistake::None).open_edges, 0u) << frac;
-        object.settings.box = host::BoxShape::Literal;
+        object.settings.box = host::BoxKind::Literal;
         EXPECT_EQ(broken(object, frac, Mistake::None).open_edges, 0u) << frac;
         EXPECT_EQ(broken(column(true), frac, Mistake::None).open_edges, 0u) << frac;
     }
@@ -199,7 +199,7 @@ TEST(ReferenceTessellator, SignedShiftBreaksEdgesWithLiteralBoxesOnly) {
     for (const int frac : {0, 4, 8}) {
         test::Object object = terrain();
         EXPECT_EQ(broken(object, frac, Mistake::SignedShiftBoxes).open_edges, 0u);
-        object.settings.box = host::BoxShape::Literal;
+        object.settings.box = host::BoxKind::Literal;
         const Broken found = broken(object, frac, Mistake::SignedShiftBoxes);
         std::printf("signed shift, literal boxes, %d fraction bits: %zu open edges of %zu\n", frac,
                     found.open_edges, found.triangles);

@@ -1,5 +1,7 @@
 // Scene files: what is accepted, and that every refusal names file, line and column.
 #include <fstream>
+#include <iterator>
+#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -162,6 +164,36 @@ TEST(Scene, RefusesWithFileLineAndColumn) {
         EXPECT_EQ(message(with(c.from, c.to)).substr(0, start.size()), start);
     }
     EXPECT_EQ(message("").substr(0, 11), "s.toml:1:1:");
+}
+
+TEST(Scene, TheDocumentNamesEveryKey) {
+    std::ifstream file("docs/scene.md");
+    const std::string document((std::istreambuf_iterator<char>(file)), {});
+    const Refusal tables[] = {
+        {"title = \"t\"", "x_ = 1", ""},
+        {"[viewport]", "[viewport]\nx_ = 1", ""},
+        {"[camera]", "[camera]\nx_ = 1", ""},
+        {"", "[[light]]\nx_ = 1", ""},
+        {"", "[view]\nx_ = 1", ""},
+        {"[[object]]", "[[object]]\nx_ = 1", ""},
+        {"kind = \"grid\"", "kind = \"grid\"\nx_ = 1", ""},
+        {"kind = \"grid\"\nquads = [3, 3]", "kind = \"cylinder\"\nx_ = 1", ""},
+        {"kind = \"donut\"", "kind = \"fbm\"\nx_ = 1", ""},
+        {"kind = \"donut\"", "kind = \"ramp\"\nx_ = 1", ""},
+        {"kind = \"donut\"", "kind = \"checker\"\nx_ = 1", ""},
+        {"kind = \"donut\"", "kind = \"constant\"\nx_ = 1", ""},
+        {"[object.adaptive]", "[object.adaptive]\nx_ = 1", ""}};
+    for (const Refusal& table : tables) {
+        const auto scene = parse_scene(with(table.from, table.to), "s.toml", ".");
+        ASSERT_FALSE(scene.ok()) << table.to;
+        std::istringstream keys(scene.error().expected.substr(7));  // "one of a, b, c"
+        for (std::string key; std::getline(keys >> std::ws, key, ',');) {
+            const bool named = document.find("`" + key + "`") != std::string::npos ||
+                               document.find("[" + key + "]") != std::string::npos ||
+                               document.find("[object." + key + "]") != std::string::npos;
+            EXPECT_TRUE(named) << key;
+        }
+    }
 }
 
 TEST(Scene, NoTestAtAllIsRefused) {

@@ -10,11 +10,16 @@ struct Choice {
 
 std::vector<std::string_view> units_where(const DeviceConfig& c, bool built) {
     const Choice choices[] = {
-        {"triangle_stack", true},          {"edge_iter", true},
-        {"mid_vertex", true},              {"texcoord_test", true},
-        {"view_test", c.view_test},        {"bump", c.bump},
-        {"normal_test", c.normal_test},    {"height_test", c.height_test},
-        {"split", true},                   {"displace", true},
+        {"triangle_stack", true},
+        {"edge_iter", true},
+        {"mid_vertex", true},
+        {"texcoord_test", true},
+        {"view_test", c.view_test},
+        {"bump", c.bump},
+        {"normal_test", c.normal_test},
+        {"height_test", c.height_test},
+        {"split", true},
+        {"displace", true},
         {"vertex_transform", c.view_test},
     };
     std::vector<std::string_view> units;

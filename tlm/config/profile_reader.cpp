@@ -32,8 +32,11 @@ Result<Profile> parse_profile(std::string_view toml_text, const std::string& nam
     const toml::parse_result parsed = toml::parse(toml_text, name);
     if (!parsed) {
         const toml::parse_error& error = parsed.error();
-        return Error{ErrorKind::Input, place(name, error.source()),
-                     std::string(error.description()), "a TOML file", {}};
+        return Error{ErrorKind::Input,
+                     place(name, error.source()),
+                     std::string(error.description()),
+                     "a TOML file",
+                     {}};
     }
     const toml::table& table = parsed.table();
     std::vector<std::pair<std::string, std::string>> pairs;
@@ -44,9 +47,11 @@ Result<Profile> parse_profile(std::string_view toml_text, const std::string& nam
         } else if (const auto number = node.value_exact<int64_t>()) {
             pairs.emplace_back(std::move(key_text), std::to_string(*number));
         } else {
-            return Error{ErrorKind::Input, place(name, node.source()),
+            return Error{ErrorKind::Input,
+                         place(name, node.source()),
                          "\"" + key_text + "\" has a value of the wrong kind",
-                         "a format in quotes or an integer", {}};
+                         "a format in quotes or an integer",
+                         {}};
         }
     }
     Result<Profile> profile = make_profile(pairs);
@@ -68,8 +73,11 @@ Result<Profile> read_profile(const std::string& path) {
         for (const std::string_view name : shipped_profile_names()) {
             names += (names.empty() ? "" : ", ") + std::string(name);
         }
-        return Error{ErrorKind::Input, path, "cannot be read as a profile",
-                     "a TOML file or one of: " + names, {}};
+        return Error{ErrorKind::Input,
+                     path,
+                     "cannot be read as a profile",
+                     "a TOML file or one of: " + names,
+                     {}};
     }
     return parse_profile(text.str(), path);
 }

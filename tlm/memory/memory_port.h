@@ -4,9 +4,9 @@
 #include <map>
 #include <vector>
 
+#include <tlm_utils/simple_initiator_socket.h>
 #include <systemc>
 #include <tlm>
-#include <tlm_utils/simple_initiator_socket.h>
 
 namespace repousse::shell {
 
@@ -42,7 +42,7 @@ private:
 
     tlm::tlm_generic_payload trans_;
     std::vector<tlm::tlm_dmi> regions_;
-    std::map<uint64_t, std::vector<unsigned char>> copies_; // by address
+    std::map<uint64_t, std::vector<unsigned char>> copies_;  // by address
     bool moved_ = false;
     bool ok_ = true;
 };

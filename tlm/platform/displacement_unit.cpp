@@ -110,13 +110,20 @@ void DisplacementUnit::reset() {
 
 uint32_t DisplacementUnit::read_register(uint32_t index) const {
     switch (index) {
-        case kId: return kIdValue;
-        case kStatus: return status_;
-        case kErrorCode: return error_;
-        case kOutputCount: return output_count_;
-        case kCyclesLo: return static_cast<uint32_t>(cycles_);
-        case kCyclesHi: return static_cast<uint32_t>(cycles_ >> 32);
-        default: return file_[index];
+        case kId:
+            return kIdValue;
+        case kStatus:
+            return status_;
+        case kErrorCode:
+            return error_;
+        case kOutputCount:
+            return output_count_;
+        case kCyclesLo:
+            return static_cast<uint32_t>(cycles_);
+        case kCyclesHi:
+            return static_cast<uint32_t>(cycles_ >> 32);
+        default:
+            return file_[index];
     }
 }
 

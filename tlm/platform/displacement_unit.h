@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <memory>
 
-#include <systemc>
-#include <tlm>
 #include <tlm_utils/simple_target_socket.h>
 #include <tlm_utils/tlm_quantumkeeper.h>
+#include <systemc>
+#include <tlm>
 
 #include "datapath/pipelines/adaptive_counters.h"
 #include "tlm/config/device_config.h"

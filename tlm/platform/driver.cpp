@@ -30,48 +30,74 @@ OutputTriangle<Fixed> triangle_of(const OutputRecord& record) {
     triangle.path = {record.base, static_cast<uint8_t>(record.depth), record.digits};
     for (std::size_t k = 0; k < 3; ++k) {
         const OutputRecord::Corner& c = record.corners[k];
-        triangle.corners[k] = {{c.uv[0], c.uv[1]},
-                               {c.displaced[0], c.displaced[1], c.displaced[2]},
-                               {c.displaced_normal[0], c.displaced_normal[1], c.displaced_normal[2]},
-                               static_cast<uint8_t>(c.generation)};
+        triangle.corners[k] = {
+            {c.uv[0], c.uv[1]},
+            {c.displaced[0], c.displaced[1], c.displaced[2]},
+            {c.displaced_normal[0], c.displaced_normal[1], c.displaced_normal[2]},
+            static_cast<uint8_t>(c.generation)};
     }
     return triangle;
 }
 
 const char* reason(uint32_t error) {
     switch (error) {
-        case kMissingUnit: return "a feature needs a unit that was not built";
-        case kBadRegister: return "a register is out of its range";
-        case kMemoryError: return "a memory access was answered with an error";
-        case kStackOverflow: return "the triangle stack overflowed its proven bound";
-        default: return "no reason given";
+        case kMissingUnit:
+            return "a feature needs a unit that was not built";
+        case kBadRegister:
+            return "a register is out of its range";
+        case kMemoryError:
+            return "a memory access was answered with an error";
+        case kStackOverflow:
+            return "the triangle stack overflowed its proven bound";
+        default:
+            return "no reason given";
     }
 }
 
 }  // namespace
 
 uint64_t buffer_bytes(const AdaptiveDraw<Fixed>& draw, uint32_t output_capacity) {
-    return aligned(draw.vertices.size() * sizeof(VertexRecord)) + aligned(bytes_of(draw.triangles)) +
-           aligned(bytes_of(draw.tables.heights)) + aligned(bytes_of(draw.tables.normals)) +
-           aligned(bytes_of(draw.tables.sums)) +
+    return aligned(draw.vertices.size() * sizeof(VertexRecord)) +
+           aligned(bytes_of(draw.triangles)) + aligned(bytes_of(draw.tables.heights)) +
+           aligned(bytes_of(draw.tables.normals)) + aligned(bytes_of(draw.tables.sums)) +
            aligned(output_capacity * sizeof(OutputRecord));
 }
 
-Driver::Driver(const sc_core::sc_module_name& name, const AddressMap& map,
-               Span<const AdaptiveDraw<Fixed>> draws)
-    : sc_module(name), map_(map), draws_(draws), outputs_(draws.size()) {
+Driver::Driver(const sc_core::sc_module_name& name, const AddressMap& map)
+    : sc_module(name), map_(map) {
     SC_THREAD(drive);
+    dont_initialize();
+    sensitive << start_event_;
+}
+
+void Driver::start(Span<const AdaptiveDraw<Fixed>> draws) {
+    draws_ = draws;
+    outputs_.assign(draws.size(), {});
+    status_ = done();
+    start_event_.notify(sc_core::SC_ZERO_TIME);
 }
 
 void Driver::drive() {
+    while (true) {
+        drive_all();
+        sc_core::wait(start_event_);
+    }
+}
+
+void Driver::drive_all() {
+    port.clear();
     if (get(kId) != kIdValue) {
         status_ = Error{ErrorKind::Environment, "device", "does not answer with its ID", {}, {}};
     }
-    set(kControl, 1);
+    set(kControl, 2);  // reset
+    set(kControl, 1);  // interrupts
     for (std::size_t i = 0; i < draws_.size() && status_.ok(); ++i) {
         if (!run(draws_[i], outputs_[i]) && status_.ok()) {
-            status_ = Error{ErrorKind::Mismatch, "draw " + std::to_string(i),
-                            std::string("the device reports: ") + reason(get(kErrorCode)), {}, {}};
+            status_ = Error{ErrorKind::Mismatch,
+                            "draw " + std::to_string(i),
+                            std::string("the device reports: ") + reason(get(kErrorCode)),
+                            {},
+                            {}};
         }
     }
 }
@@ -162,8 +188,7 @@ void Driver::collect(Output& output) {
     const uint64_t bytes = count * sizeof(OutputRecord);
     const auto* records =
         static_cast<const OutputRecord*>(port.view(output_address_, bytes, local_time_));
-    output.triangles.reserve(output.triangles.size() + count);
-    for (uint32_t i = 0; i < count; ++i) output.triangles.push_back(triangle_of(records[i]));
+    for (uint32_t i = 0; i < count; ++i) output.push_back(triangle_of(records[i]));
 }
 
 void Driver::set(uint32_t index, uint32_t word) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <systemc>
@@ -16,10 +17,10 @@ namespace repousse::shell {
 
 /// Where the driver finds the device and lays out its buffers.
 struct AddressMap {
-    uint64_t device = 0;          ///< base of the registers
-    uint64_t memory = 0;          ///< base of the memory
+    uint64_t device = 0;  ///< base of the registers
+    uint64_t memory = 0;  ///< base of the memory
     uint64_t memory_bytes = 0;
-    uint32_t output_capacity = 1; ///< triangles in the output buffer
+    uint32_t output_capacity = 1;  ///< triangles in the output buffer
 };
 
 /// Bytes of memory that a draw's buffers take, the output buffer included.
@@ -32,22 +33,24 @@ public:
     MemoryPort port{"port"};
     sc_core::sc_in<bool> interrupt{"interrupt"};
 
-    /// What one draw gave. The triangles are in architectural order.
-    struct Output {
-        std::vector<OutputTriangle<Fixed>> triangles;
-    };
+    /// What one draw gave, in architectural order.
+    using Output = std::vector<OutputTriangle<Fixed>>;
 
-    Driver(const sc_core::sc_module_name& name, const AddressMap& map,
-           Span<const AdaptiveDraw<Fixed>> draws);
+    Driver(const sc_core::sc_module_name& name, const AddressMap& map);
 
-    /// Valid once the simulation has ended.
-    const std::vector<Output>& outputs() const { return outputs_; }
+    /// Sets the work of the next run; to be called while the kernel stands still. The draws must
+    /// outlive the run.
+    void start(Span<const AdaptiveDraw<Fixed>> draws);
+
+    /// One output a draw, once the run has ended.
+    std::vector<Output> take_outputs() { return std::move(outputs_); }
     const Status& status() const { return status_; }
 
     SC_HAS_PROCESS(Driver);
 
 private:
     void drive();
+    void drive_all();
     bool run(const AdaptiveDraw<Fixed>& draw, Output& output);
     void upload(const AdaptiveDraw<Fixed>& draw);
     void program(const AdaptiveDraw<Fixed>& draw);
@@ -64,6 +67,7 @@ private:
     uint64_t next_address_ = 0;
     uint64_t output_address_ = 0;
     sc_core::sc_time local_time_;
+    sc_core::sc_event start_event_;
 };
 
 }  // namespace repousse::shell

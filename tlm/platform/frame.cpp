@@ -118,14 +118,17 @@ FrameError DisplacementUnit::bind_map() {
         return Span<const T>(static_cast<const T*>(at), count);
     };
     map.heights = table(kHeightsLo, texels, static_cast<uint16_t*>(nullptr));
-    if (has(kUseBump)) map.normals = table(kNormalsLo, texels, static_cast<Vec3<int16_t>*>(nullptr));
+    if (has(kUseBump))
+        map.normals = table(kNormalsLo, texels, static_cast<Vec3<int16_t>*>(nullptr));
     if (has(kUseHeightTest)) {
         const auto entries = (std::size_t(frame_[kMapWidth]) + 1) * (frame_[kMapHeight] + 1);
         map.sums = table(kSumsLo, entries, static_cast<uint64_t*>(nullptr));
     }
-    vertices_ = table(kVerticesLo, frame_[kVertexCount], static_cast<VertexRecord*>(nullptr)).data();
-    indices_ = table(kIndicesLo, 3 * std::size_t(frame_[kTriangleCount]),
-                     static_cast<uint32_t*>(nullptr)).data();
+    vertices_ =
+        table(kVerticesLo, frame_[kVertexCount], static_cast<VertexRecord*>(nullptr)).data();
+    indices_ =
+        table(kIndicesLo, 3 * std::size_t(frame_[kTriangleCount]), static_cast<uint32_t*>(nullptr))
+            .data();
     quantum_.inc(delay);
     if (!memory_port.ok()) return kMemoryError;
 
@@ -139,10 +142,12 @@ FrameError DisplacementUnit::bind_map() {
     }
     if (height_test_) {
         height_test_->enable(has(kUseHeightTest));
-        const HeightTestRegisters test{
-            map.width, map.height, map.wrap,
-            has(kLiteralBoxes) ? BoxKind::Literal : BoxKind::Square,
-            has(kSumMode) ? HeightMode::Sum : HeightMode::Average, address(kHeightThresholdLo)};
+        const HeightTestRegisters test{map.width,
+                                       map.height,
+                                       map.wrap,
+                                       has(kLiteralBoxes) ? BoxKind::Literal : BoxKind::Square,
+                                       has(kSumMode) ? HeightMode::Sum : HeightMode::Average,
+                                       address(kHeightThresholdLo)};
         if (has(kUseHeightTest) && !height_test_->configure(test, map.sums, has(kEager))) {
             return kBadRegister;
         }

@@ -1,7 +1,6 @@
 #include "tlm/platform/platform.h"
 
 #include <algorithm>
-
 #include <systemc>
 #include <tlm>
 
@@ -17,17 +16,14 @@ namespace {
 constexpr uint64_t kDeviceBase = uint64_t(1) << 40;
 constexpr uint64_t kDeviceSize = 4 * kRegisterCount;
 
-class Platform : public sc_core::sc_module {
-public:
-    Platform(const sc_core::sc_module_name& name, const DeviceConfig& config,
-             const std::vector<AdaptiveDraw<Fixed>>& draws, const AddressMap& map,
-             const PlatformOptions& options)
-        : sc_module(name),
-          bus("bus"),
-          memory("memory", map.memory_bytes,
+}  // namespace
+
+struct Platform::Modules {
+    Modules(const DeviceConfig& config, const AddressMap& map, const PlatformOptions& options)
+        : memory("memory", map.memory_bytes,
                  sc_core::sc_time(options.memory_latency_ns, sc_core::SC_NS), options.allow_dmi),
           device("device", config),
-          driver("driver", map, draws) {
+          driver("driver", map) {
         bus.map(map.memory, map.memory_bytes);
         bus.map(map.device, kDeviceSize);
         bus.targets.bind(memory.socket);
@@ -39,39 +35,47 @@ public:
     }
 
     sc_core::sc_signal<bool> interrupt{"interrupt"};
-    Bus bus;
+    Bus bus{"bus"};
     Memory memory;
     DisplacementUnit device;
     Driver driver;
 };
 
-}  // namespace
+Platform::Platform(std::unique_ptr<Modules> modules) : modules_(std::move(modules)) {}
+Platform::Platform(Platform&&) noexcept = default;
+Platform::~Platform() = default;
 
-Result<PlatformResult> run_platform(const DeviceConfig& config,
-                                    const std::vector<AdaptiveDraw<Fixed>>& draws,
-                                    const PlatformOptions& options) {
+Result<Platform> Platform::create(const DeviceConfig& config,
+                                  const std::vector<AdaptiveDraw<Fixed>>& largest,
+                                  const PlatformOptions& options) {
     if (sc_core::sc_get_status() != sc_core::SC_ELABORATION) {
-        return Error{ErrorKind::Environment, {}, "a second platform in one process", 
-                     "one elaboration a process, as the SystemC kernel demands", {}};
+        return Error{ErrorKind::Environment,
+                     {},
+                     "a second platform in one process",
+                     "one elaboration a process, as the SystemC kernel demands",
+                     {}};
     }
     AddressMap map;
     map.device = kDeviceBase;
     map.output_capacity = options.output_capacity;
-    for (const AdaptiveDraw<Fixed>& draw : draws) {
+    for (const AdaptiveDraw<Fixed>& draw : largest) {
         map.memory_bytes = std::max(map.memory_bytes, buffer_bytes(draw, options.output_capacity));
     }
     tlm::tlm_global_quantum::instance().set(sc_core::sc_time(options.quantum_ns, sc_core::SC_NS));
-    Platform platform("platform", config, draws, map, options);
-    sc_core::sc_start();
+    return Platform(std::make_unique<Modules>(config, map, options));
+}
 
-    if (!platform.driver.status()) return platform.driver.status().error();
+// The kernel returns when nothing is left to happen: the driver has everything and sleeps.
+Result<PlatformResult> Platform::run(const std::vector<AdaptiveDraw<Fixed>>& draws) {
+    const sc_core::sc_time start = sc_core::sc_time_stamp();
+    modules_->driver.start(draws);
+    sc_core::sc_start();
+    if (!modules_->driver.status()) return modules_->driver.status().error();
     PlatformResult result;
-    for (const Driver::Output& output : platform.driver.outputs()) {
-        result.triangles.push_back(output.triangles);
-    }
-    result.counters = platform.device.counters();
-    result.cycles = platform.device.cycles();
-    result.simulated_ns = sc_core::sc_time_stamp().to_seconds() * 1e9;
+    result.triangles = modules_->driver.take_outputs();
+    result.counters = modules_->device.counters();
+    result.cycles = modules_->device.cycles();
+    result.simulated_ns = (sc_core::sc_time_stamp() - start).to_seconds() * 1e9;
     return result;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
-#include <string_view>
 #include <vector>
 
 #include "datapath/error.h"
@@ -14,25 +14,42 @@ namespace repousse::shell {
 
 /// What a run of the platform left behind.
 struct PlatformResult {
-    std::vector<std::vector<OutputTriangle<Fixed>>> triangles; ///< a list for each draw
-    AdaptiveCounters counters;
-    uint64_t cycles = 0;         ///< of the device
-    double simulated_ns = 0;     ///< upload and driver included
+    std::vector<std::vector<OutputTriangle<Fixed>>> triangles;  ///< a list for each draw
+    AdaptiveCounters counters;                                  ///< of this run
+    uint64_t cycles = 0;                                        ///< of the device, in this run
+    double simulated_ns = 0;                                    ///< upload and driver included
 };
 
 /// Choices of the platform around the device.
 struct PlatformOptions {
-    uint32_t output_capacity = 1 << 14; ///< triangles in the output buffer
-    bool allow_dmi = true;              ///< of the memory
-    double memory_latency_ns = 50.0;    ///< a transaction
-    double quantum_ns = 10000.0;        ///< of temporal decoupling
+    uint32_t output_capacity = 1 << 12;  ///< triangles in the output buffer
+    bool allow_dmi = true;               ///< of the memory
+    double memory_latency_ns = 50.0;     ///< a transaction
+    double quantum_ns = 10000.0;         ///< of temporal decoupling
 };
 
-/// Our own platform: a driver and the device on a bus, with a memory that is just large enough.
-/// Builds it, runs the draws at level lt and takes the results out. One elaboration a process, as
-/// the SystemC kernel demands: a second call is refused.
-Result<PlatformResult> run_platform(const DeviceConfig& config,
-                                    const std::vector<AdaptiveDraw<Fixed>>& draws,
-                                    const PlatformOptions& options = {});
+/// Our own platform: a driver and the device on a bus with a memory, at level lt.
+///
+/// The SystemC kernel elaborates once a process, so a process has one platform; it may run any
+/// number of times. Each run starts with the device's reset, so runs do not know of each other.
+class Platform {
+public:
+    /// Elaborates. `largest` sizes the memory: every draw that will be run must fit what these
+    /// draws need. Refused if the kernel has already started.
+    static Result<Platform> create(const DeviceConfig& config,
+                                   const std::vector<AdaptiveDraw<Fixed>>& largest,
+                                   const PlatformOptions& options = {});
+    Platform(Platform&&) noexcept;
+    ~Platform();
+
+    /// Plays the draws one after the other.
+    Result<PlatformResult> run(const std::vector<AdaptiveDraw<Fixed>>& draws);
+
+private:
+    struct Modules;
+    explicit Platform(std::unique_ptr<Modules> modules);
+
+    std::unique_ptr<Modules> modules_;
+};
 
 }  // namespace repousse::shell

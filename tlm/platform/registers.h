@@ -17,23 +17,23 @@ enum Register : uint32_t {
     kInterrupt,  ///< write 1: acknowledge
     kErrorCode,  ///< read only: why kStatusError is set, a FrameError
 
-    kFeatures,   ///< the Features
-    kCap,        ///< generation cap, 0 to 15
+    kFeatures,           ///< the Features
+    kCap,                ///< generation cap, 0 to 15
     kViewThreshold,      ///< raw, fraction bits of `screen`
     kNormalThreshold,    ///< raw `displaced_normal`
     kHeightThresholdLo,  ///< height LSB, or height LSB x texel^2
     kHeightThresholdHi,
-    kMapWidth,   ///< texels
+    kMapWidth,  ///< texels
     kMapHeight,
     kScaleMantissa,  ///< D = h * mantissa * 2^-exponent + bias
     kScaleExponent,
-    kBias,           ///< raw `displacement`
-    kEye,                        ///< three words, raw `position`
-    kRight = kEye + 3,           ///< three words, raw `view_row`
-    kUp = kRight + 3,            ///< three words
-    kForward = kUp + 3,          ///< three words
-    kNear = kForward + 3,        ///< raw `clip`
-    kFocalX,                     ///< raw `focal`
+    kBias,                 ///< raw `displacement`
+    kEye,                  ///< three words, raw `position`
+    kRight = kEye + 3,     ///< three words, raw `view_row`
+    kUp = kRight + 3,      ///< three words
+    kForward = kUp + 3,    ///< three words
+    kNear = kForward + 3,  ///< raw `clip`
+    kFocalX,               ///< raw `focal`
     kFocalY,
     kCentreX,
     kCentreY,
@@ -42,15 +42,15 @@ enum Register : uint32_t {
     kOutputCapacity,  ///< triangles that fit the output buffer
     kVerticesLo,      ///< address of VertexRecord[]
     kVerticesHi,
-    kIndicesLo,       ///< address of uint32_t[3 * triangles]
+    kIndicesLo,  ///< address of uint32_t[3 * triangles]
     kIndicesHi,
-    kHeightsLo,       ///< address of uint16_t[width * height]
+    kHeightsLo,  ///< address of uint16_t[width * height]
     kHeightsHi,
-    kNormalsLo,       ///< address of int16_t[3 * width * height]
+    kNormalsLo,  ///< address of int16_t[3 * width * height]
     kNormalsHi,
-    kSumsLo,          ///< address of uint64_t[(width + 1) * (height + 1)]
+    kSumsLo,  ///< address of uint64_t[(width + 1) * (height + 1)]
     kSumsHi,
-    kOutputLo,        ///< address of OutputRecord[]
+    kOutputLo,  ///< address of OutputRecord[]
     kOutputHi,
     kFrameEnd,
 
@@ -102,7 +102,7 @@ struct VertexRecord {
     std::array<int32_t, 3> position;
     std::array<int32_t, 3> normal;
     std::array<int32_t, 3> tangent;
-    int32_t handedness; ///< +1 or -1
+    int32_t handedness;  ///< +1 or -1
 };
 static_assert(sizeof(VertexRecord) == 48);
 
@@ -114,9 +114,9 @@ struct OutputRecord {
         std::array<int32_t, 3> displaced_normal;
         uint32_t generation;
     };
-    uint32_t base; ///< index of the base triangle
+    uint32_t base;  ///< index of the base triangle
     uint32_t depth;
-    std::array<uint64_t, 2> digits; ///< of the path, two bits each
+    std::array<uint64_t, 2> digits;  ///< of the path, two bits each
     std::array<Corner, 3> corners;
 };
 static_assert(sizeof(OutputRecord) == 136);

@@ -5,8 +5,7 @@ namespace repousse::shell {
 Bump::Bump(const sc_core::sc_module_name& name, const Profile& profile)
     : sc_module(name),
       before_test("before_test", [this](EdgeBatch& b, BatchTime& t) { make_normals(b, t, true); }),
-      after_split("after_split",
-                  [this](EdgeBatch& b, BatchTime& t) { make_normals(b, t, false); }),
+      after_split("after_split", [this](EdgeBatch& b, BatchTime& t) { make_normals(b, t, false); }),
       unit_(profile) {}
 
 void Bump::disable() {

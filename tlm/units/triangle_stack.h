@@ -25,16 +25,16 @@ public:
     struct Frame {
         StackOrder order = StackOrder::Lifo;
         int cap = 0;
-        std::function<bool(Triangle<Fixed>&)> fetch;                   ///< the next base triangle
-        std::function<void(Span<const OutputTriangle<Fixed>>)> emit;   ///< finished ones, in order
-        std::function<void(uint64_t cycles)> elapse;                   ///< called after each batch
+        std::function<bool(Triangle<Fixed>&)> fetch;                  ///< the next base triangle
+        std::function<void(Span<const OutputTriangle<Fixed>>)> emit;  ///< finished ones, in order
+        std::function<void(uint64_t cycles)> elapse;                  ///< called after each batch
     };
 
     /// Works until no triangle is left. False if a stack's bound was broken.
     bool run(const Frame& frame);
 
     void reset() { peak_ = 0; }
-    uint64_t peak() const { return peak_; } ///< most triangles that waited in one context
+    uint64_t peak() const { return peak_; }  ///< most triangles that waited in one context
 
 private:
     uint64_t contexts_;

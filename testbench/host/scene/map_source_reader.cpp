@@ -156,7 +156,7 @@ MapSource read_map_source(const TomlValue& table, ReadContext& context) {
     map.flip_rows = reader.boolean("flip_rows", false);
     map.range = read_range(reader, table);
     map.wrap = reader.boolean("wrap", false);
-    map.filter = static_cast<MapFilter>(reader.choice("filter", {"nearest", "bilinear"}, 0));
+    map.filter = static_cast<HeightFilter>(reader.choice("filter", {"nearest", "bilinear"}, 0));
     map.uv = static_cast<UvSpan>(reader.choice("uv", {"edges", "centres"}, 0));
     if (map.wrap && map.uv == UvSpan::Centres) {
         reader.fail("uv", "uv = \"centres\" on a map that wraps",

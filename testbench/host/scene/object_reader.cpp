@@ -121,7 +121,7 @@ AdaptiveSettings read_adaptive(const TomlValue& table, ReadContext& context) {
     }
     adaptive.order = static_cast<StackOrder>(reader.choice("order", {"lifo", "fifo"}, 0));
     adaptive.eager = reader.boolean("eager", false);
-    adaptive.box = static_cast<BoxShape>(reader.choice("box", {"square", "literal"}, 0));
+    adaptive.box = static_cast<BoxKind>(reader.choice("box", {"square", "literal"}, 0));
     adaptive.contexts = reader.integer("contexts", 1, 1, 16);
     adaptive.normal_threshold = reader.optional_number("normal_threshold", 0.0, 2.0);
     adaptive.normal_space =

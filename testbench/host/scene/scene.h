@@ -9,6 +9,10 @@
 #include <glm/vec3.hpp>
 
 #include "datapath/error.h"
+#include "datapath/map_view.h"
+#include "datapath/units/height_test.h"
+#include "datapath/units/normal_test.h"
+#include "datapath/units/triangle_stack.h"
 #include "testbench/host/map/procedural_map.h"
 
 namespace repousse::host {
@@ -98,7 +102,6 @@ struct MapRecipe {
     SceneMark mark;
 };
 
-enum class MapFilter { Nearest, Bilinear };
 enum class UvSpan { Edges, Centres };  ///< uv 0..1 from border to border, or centre to centre
 
 struct TexelBox {
@@ -116,15 +119,17 @@ struct MapSource {
     std::optional<glm::dvec2> samples;   ///< declared sample range of the file
     glm::dvec2 range{0.0, 1.0};          ///< world displacement at h = 0 and h = 65535
     bool wrap = false;
-    MapFilter filter = MapFilter::Nearest;
+    HeightFilter filter = HeightFilter::Nearest;
     UvSpan uv = UvSpan::Edges;
     SceneMark mark;
 };
 
-enum class StackOrder { Lifo, Fifo };
-enum class BoxShape { Square, Literal };
-enum class HeightMode { Average, Sum };
-enum class NormalSpace { World, Map };
+// The device's own settings: what a scene says needs no translation.
+using repousse::BoxKind;
+using repousse::HeightFilter;
+using repousse::HeightMode;
+using repousse::NormalSpace;
+using repousse::StackOrder;
 
 /// Settings of adaptive tessellation (Doggett and Hirche). A test without a threshold is not
 /// part of the effect and its unit is not built.
@@ -132,7 +137,7 @@ struct AdaptiveSettings {
     std::optional<int> generation_cap;  ///< 0..15; absent = the natural cap
     StackOrder order = StackOrder::Lifo;
     bool eager = false;
-    BoxShape box = BoxShape::Square;
+    BoxKind box = BoxKind::Square;
     HeightMode height_mode = HeightMode::Average;
     /// Average: height LSB, 0..65535. Sum: height LSB x texel^2, 0..2^38.
     std::optional<double> height_threshold;

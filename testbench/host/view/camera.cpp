@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 
 namespace repousse::host {
 namespace {
@@ -17,21 +18,29 @@ double apply(const std::array<double, 4>& row, const glm::dvec3& p) {
 
 }  // namespace
 
+ViewFrame view_frame(const CameraSettings& camera, const Viewport& viewport) {
+    ViewFrame frame;
+    frame.eye = camera.eye;
+    frame.forward = glm::normalize(camera.target - camera.eye);
+    frame.right = glm::normalize(glm::cross(frame.forward, camera.up));
+    frame.up = glm::cross(frame.right, frame.forward);
+    frame.near = camera.near;
+    const double focal = 0.5 * viewport.height_px / std::tan(0.5 * glm::radians(camera.fov_deg));
+    frame.focal = {focal, -focal};
+    frame.centre = {0.5 * viewport.width_px, 0.5 * viewport.height_px};
+    return frame;
+}
+
 ViewProjection view_projection(const CameraSettings& camera, const Viewport& viewport) {
-    constexpr double kRadians = 3.14159265358979323846 / 180.0;
-    const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
-    const glm::dvec3 right = glm::normalize(glm::cross(forward, camera.up));
-    const glm::dvec3 up = glm::cross(right, forward);
-    const double slope = std::tan(0.5 * camera.fov_deg * kRadians);
-    const double aspect = static_cast<double>(viewport.width_px) / viewport.height_px;
+    const ViewFrame frame = view_frame(camera, viewport);
     ViewProjection view;
-    view.x_row = row(right / (slope * aspect), camera.eye);
-    view.y_row = row(up / slope, camera.eye);
-    view.w_row = row(forward, camera.eye);
     view.scale_x = 0.5 * viewport.width_px;
     view.scale_y = -0.5 * viewport.height_px;
-    view.centre_x = 0.5 * viewport.width_px;
-    view.centre_y = 0.5 * viewport.height_px;
+    view.x_row = row(frame.right * (frame.focal.x / view.scale_x), frame.eye);
+    view.y_row = row(frame.up * (frame.focal.y / view.scale_y), frame.eye);
+    view.w_row = row(frame.forward, frame.eye);
+    view.centre_x = frame.centre.x;
+    view.centre_y = frame.centre.y;
     view.near = camera.near;
     view.far = camera.far;
     return view;

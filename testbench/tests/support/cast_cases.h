@@ -97,13 +97,13 @@ inline std::int64_t random_source(const CastTarget& target, std::mt19937_64& ran
     Wide y = any(1 + static_cast<int>(random() % 60) % (width + 3));
     switch (random() % 8) {
         case 0:
-            y = target.format.max_raw() + near_zero();
+            y = static_cast<Wide>(target.format.max_raw()) + near_zero();
             break;
         case 1:
-            y = target.format.min_raw() + near_zero();
+            y = static_cast<Wide>(target.format.min_raw()) + near_zero();
             break;
         case 2:
-            y = (static_cast<Wide>(any(4)) << width) + near_zero();
+            y = any(4) * (static_cast<Wide>(1) << width) + near_zero();
             break;
         default:
             break;

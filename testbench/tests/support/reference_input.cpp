@@ -28,7 +28,7 @@ reference::TessellatorInput reference_input(const host::DrawInputs& inputs, int 
                                 mesh.tangents[i],
                                 mesh.handedness[i]});
     }
-    out.map = {map.width, map.height, map.wrap, inputs.filter == host::MapFilter::Bilinear,
+    out.map = {map.width, map.height, map.wrap, inputs.filter == host::HeightFilter::Bilinear,
                map.texels, (map.range_high - map.range_low) / 65535.0, map.range_low,
                inputs.texel_size};
     out.uv_frac = uv_frac;
@@ -39,7 +39,7 @@ reference::TessellatorInput reference_input(const host::DrawInputs& inputs, int 
         out.height_threshold = static_cast<int64_t>(std::floor(*s.height_threshold));
     }
     out.sum = s.height_mode == host::HeightMode::Sum;
-    out.literal = s.box == host::BoxShape::Literal;
+    out.literal = s.box == host::BoxKind::Literal;
     if (s.view_threshold_px) {
         const host::ViewFrame& v = inputs.view;
         out.view = reference::TessellatorView{v.eye,  v.right, v.up,     v.forward,

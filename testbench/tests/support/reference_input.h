@@ -25,7 +25,7 @@ struct Object {
     host::Mesh mesh;
     host::HeightMap map;
     host::AdaptiveSettings settings;
-    host::MapFilter filter = host::MapFilter::Nearest;
+    host::HeightFilter filter = host::HeightFilter::Nearest;
     host::UvSpan uv = host::UvSpan::Edges;
 
     /// Valid as long as the object stays where it is.
