@@ -16,7 +16,7 @@ MAKEFLAGS += --no-print-directory
 help:
 	@echo "make run     build the program and simulate SCENE ($(SCENE)) into OUT ($(OUT))"
 	@echo "make test    build everything and run all tests, as CI does"
-	@echo "make bench   run the benchmarks"
+	@echo "make bench   run the benchmarks; their tables go to docs/bench.md"
 	@echo "make asan    the tests under AddressSanitizer and UndefinedBehaviorSanitizer"
 	@echo "make format  clang-format over the sources"
 	@echo "make tidy    clang-tidy over the sources"
@@ -34,6 +34,7 @@ test:
 	@cmake/bootstrap.sh run test
 	@cmake --preset release -DREPOUSSE_TESTS=ON -DREPOUSSE_BENCH=ON -DREPOUSSE_WERROR=$(WERROR)
 	@cmake --build --preset release -j $(JOBS)
+	@scenes/fetch.sh
 	@ctest --preset release -j $(JOBS) --output-log $(BUILD)/Testing/ctest.log
 
 bench:
@@ -41,7 +42,7 @@ bench:
 	@cmake --preset release -DREPOUSSE_BENCH=ON
 	@cmake --build --preset release --target repousse bench -j $(JOBS)
 	@scenes/fetch.sh
-	@for program in $(BUILD)/bench/*; do echo "== $$program"; $$program || exit 1; done
+	@testbench/bench/run.sh $(BUILD)/bench docs/bench.md
 
 asan:
 	@cmake/bootstrap.sh run test

@@ -5,26 +5,23 @@
 #define SC_INCLUDE_FX
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <fstream>
-#include <functional>
-#include <map>
 #include <random>
-#include <string>
 #include <systemc>
 #include <vector>
 
 #include "datapath/numbers/cast.h"
 #include "datapath/numbers/kernels.h"
+#include "testbench/bench/best_rounds.h"
 
 namespace {
 
 using repousse::Cast;
 using repousse::CastCounters;
+using repousse::bench::Row;
 
 constexpr std::size_t kLength = 1024;  // every array stays in the first-level cache
 constexpr int kFrac = 16;
@@ -204,11 +201,6 @@ bool all_agree() {
 
 // ---- benchmarks and their table -------------------------------------------------------------
 
-struct Row {
-    const char* name;
-    std::function<void()> run;
-};
-
 template <class Function>
 Row row(const char* name, Function function) {
     return {name, [function] { benchmark::DoNotOptimize(function()); }};
@@ -272,43 +264,6 @@ std::vector<Row> batch_rows() {
     };
 }
 
-/// Prints as usual, and keeps the best round of each benchmark, in nanoseconds of processor time
-/// for one multiply-add.
-class BestRounds : public benchmark::ConsoleReporter {
-public:
-    void ReportRuns(const std::vector<Run>& runs) override {
-        for (const Run& run : runs) {
-            if (run.run_type != Run::RT_Iteration) continue;
-            const double nanoseconds = run.GetAdjustedCPUTime() / static_cast<double>(kLength);
-            const auto [best, is_new] = best_.emplace(run.run_name.function_name, nanoseconds);
-            if (!is_new) best->second = std::min(best->second, nanoseconds);
-        }
-        ConsoleReporter::ReportRuns(runs);
-    }
-
-    void print_group(const std::vector<Row>& rows) const {
-        const auto first = best_.find(rows.front().name);
-        for (const Row& row : rows) {
-            const auto found = best_.find(row.name);
-            if (found == best_.end() || first == best_.end()) continue;
-            std::printf("| %-40s | %8.3f | %8.2f |\n", row.name, found->second,
-                        found->second / first->second);
-        }
-    }
-
-private:
-    std::map<std::string, double> best_;
-};
-
-std::string processor() {
-    std::ifstream info("/proc/cpuinfo");
-    for (std::string line; std::getline(info, line);) {
-        const std::size_t colon = line.find(": ");
-        if (line.rfind("model name", 0) == 0 && colon != line.npos) return line.substr(colon + 2);
-    }
-    return "unknown processor";
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -316,32 +271,8 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "numbers_bench: the implementations do not agree\n");
         return 1;
     }
-    std::vector<char*> arguments(argv, argv + argc);
-    std::string interleave = "--benchmark_enable_random_interleaving=true";
-    arguments.insert(arguments.begin() + 1, interleave.data());
-    int count = static_cast<int>(arguments.size());
-    benchmark::Initialize(&count, arguments.data());
-    if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
-
-    for (const auto& rows : {dot_rows(), batch_rows()}) {
-        for (const Row& row : rows) {
-            benchmark::RegisterBenchmark(row.name,
-                                         [run = row.run](benchmark::State& state) {
-                                             for (auto _ : state) run();
-                                         })
-                ->Repetitions(15)
-                ->MinTime(0.02);
-        }
-    }
-    BestRounds best;
-    benchmark::RunSpecifiedBenchmarks(&best);
-    std::printf("\nBest of the rounds of this run, one core of %s, %s\n", processor().c_str(),
-                __VERSION__);
-    std::printf("| %-40s | %8s | %8s |\n| %s | %s | %s |\n", "multiply-add", "ns", "ratio",
-                std::string(40, '-').c_str(), "-------:", "-------:");
-    best.print_group(dot_rows());
-    best.print_group(batch_rows());
-    return 0;
+    return repousse::bench::run_groups(argc, argv, {dot_rows(), batch_rows()}, "multiply-add",
+                                       static_cast<double>(kLength), 15, 0.02);
 }
 
 // SystemC's library asks for it; nothing is elaborated here.
