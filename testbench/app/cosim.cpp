@@ -17,6 +17,8 @@ namespace repousse::app {
 namespace {
 
 struct CosimOptions {
+    CosimOptions() { effort.jobs = std::max(1U, std::thread::hardware_concurrency()); }
+
     std::vector<std::string> units;
     std::string profile = "default";
     cosim::Effort effort;
@@ -174,7 +176,9 @@ void add_cosim(CLI::App& root, Run& run) {
         ->capture_default_str();
     command->add_option("--profile", options->profile, "a shipped profile or a TOML file")
         ->capture_default_str();
-    command->add_option("--jobs", options->effort.jobs, "threads")
+    command
+        ->add_option("--jobs", options->effort.jobs,
+                     "threads for Verilator and the datapath; the results are the same")
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
     command->callback(

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "testbench/app/commands.h"
@@ -24,6 +25,10 @@ Status quality(const QualityOptions& options) {
                      "the elevation file is not there",
                      {},
                      "scenes/fetch.sh gets it"};
+    }
+    const std::string folder = host::folder_of(options.output);
+    if (!options.output.empty() && !std::filesystem::is_directory(folder)) {
+        return Error{ErrorKind::Environment, folder, "there is no such folder", {}, {}};
     }
     const bool live = isatty(STDERR_FILENO) != 0;
     const auto report = study::quality_study(options.input, [live](const std::string& step) {
