@@ -81,7 +81,7 @@ std::size_t count_open_edges(const std::vector<LeafTriangle>& leaves,
                              const std::vector<LeafTriangle>& base) {
     EdgeBalance leaf_edges;
     EdgeBalance base_edges;
-    std::map<uint32_t, uint32_t> leaf_id; // of a base vertex
+    std::map<uint32_t, uint32_t> leaf_id;  // of a base vertex
     for (const LeafTriangle& triangle : leaves) leaf_edges.add(triangle);
     for (const LeafTriangle& triangle : base) {
         base_edges.add(triangle);
@@ -122,8 +122,8 @@ LeafReport check_leaves(const std::vector<LeafTriangle>& leaves,
         report.zero_area += expected != 0 && found == 0;
     }
     std::sort(vertices.begin(), vertices.end());
-    report.vertices = static_cast<std::size_t>(
-        std::unique(vertices.begin(), vertices.end()) - vertices.begin());
+    report.vertices =
+        static_cast<std::size_t>(std::unique(vertices.begin(), vertices.end()) - vertices.begin());
     report.open_edges = count_open_edges(leaves, base);
     return report;
 }
@@ -183,8 +183,8 @@ HeightError height_error(const std::vector<LeafTriangle>& leaves, const SampleLa
         const int j_end = std::min(lattice.rows - 1, int(std::floor(y_high + 1e-9)));
         for (int j = std::max(0, int(std::ceil(y_low - 1e-9))); j <= j_end; ++j) {
             for (int i = std::max(0, int(std::ceil(x_low - 1e-9))); i <= i_end; ++i) {
-                char& done = seen[static_cast<std::size_t>(j) * columns +
-                                  static_cast<std::size_t>(i)];
+                char& done =
+                    seen[static_cast<std::size_t>(j) * columns + static_cast<std::size_t>(i)];
                 const double w1 = ((i - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (j - y[0])) / area;
                 const double w2 = ((x[1] - x[0]) * (j - y[0]) - (i - x[0]) * (y[1] - y[0])) / area;
                 if (done || w1 < kMargin || w2 < kMargin || w1 + w2 > 1 - kMargin) continue;

@@ -24,11 +24,11 @@ struct LeafTriangle {
 /// What a crack-free tessellation must have none of.
 struct LeafReport {
     std::size_t triangles = 0;
-    std::size_t vertices = 0;   ///< distinct (uv, position) pairs
-    std::size_t open_edges = 0; ///< half-edges without a partner, the base mesh's rim excepted:
-                                ///< T-vertices and cracks both show as these
-    std::size_t flipped = 0;    ///< sign of the texture area differs from the base triangle's
-    std::size_t zero_area = 0;  ///< texture area zero though the base triangle's is not
+    std::size_t vertices = 0;    ///< distinct (uv, position) pairs
+    std::size_t open_edges = 0;  ///< half-edges without a partner, the base mesh's rim excepted:
+                                 ///< T-vertices and cracks both show as these
+    std::size_t flipped = 0;     ///< sign of the texture area differs from the base triangle's
+    std::size_t zero_area = 0;   ///< texture area zero though the base triangle's is not
 };
 
 /// Judges leaves by names alone, without tolerance. `base` holds the displaced base triangles (a
@@ -51,7 +51,7 @@ struct SampleLattice {
 struct HeightError {
     double rms = 0;
     double max = 0;
-    std::size_t samples = 0; ///< lattice points that some triangle covers
+    std::size_t samples = 0;  ///< lattice points that some triangle covers
 };
 
 /// Samples the piecewise-linear z of the leaves, which must be a height field over x and y, at

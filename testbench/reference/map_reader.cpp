@@ -39,8 +39,8 @@ double MapReader::slope(int64_t x, int64_t y, int axis) const {
         low = std::max<int64_t>(low, 0);
         high = std::min(high, size - 1);
     }
-    const int64_t rise = axis == 0 ? texel(high, y) - texel(low, y)
-                                   : texel(x, high) - texel(x, low);
+    const int64_t rise =
+        axis == 0 ? texel(high, y) - texel(low, y) : texel(x, high) - texel(x, low);
     const double run = static_cast<double>(high - low) * map_.texel_size[axis];
     return static_cast<double>(rise) * map_.scale / run;
 }

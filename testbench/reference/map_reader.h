@@ -21,7 +21,7 @@ struct DisplacementMap {
     std::vector<uint16_t> heights;  ///< row by row
     double scale = 1.0;
     double bias = 0.0;
-    glm::dvec2 texel_size{1.0};     ///< world units, for the finite differences of the normals
+    glm::dvec2 texel_size{1.0};  ///< world units, for the finite differences of the normals
 };
 
 /// The sum and the number of a box's texels.
@@ -53,9 +53,7 @@ public:
     MapBox box(const Uv& centre, const Uv& half, bool widen) const;
 
 private:
-    int64_t floor_of(int64_t u) const {
-        return u >= 0 ? u / one_ : -((-u + one_ - 1) / one_);
-    }
+    int64_t floor_of(int64_t u) const { return u >= 0 ? u / one_ : -((-u + one_ - 1) / one_); }
     int64_t texel(int64_t x, int64_t y) const;
     double slope(int64_t x, int64_t y, int axis) const;
     std::array<int64_t, 2> side(int64_t centre, int64_t half, int64_t size, bool widen) const;

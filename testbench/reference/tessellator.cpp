@@ -36,8 +36,7 @@ class Tessellator {
 public:
     explicit Tessellator(const TessellatorInput& input)
         : in_(input),
-          map_(input.map, input.uv_frac,
-               input.map.wrap && input.mistake != Mistake::ClampedSeam) {}
+          map_(input.map, input.uv_frac, input.map.wrap && input.mistake != Mistake::ClampedSeam) {}
 
     Tessellation run() {
         std::vector<Piece> waiting;
@@ -137,8 +136,7 @@ private:
         const int64_t ends = s1.sum + s2.sum;
         if (in_.sum) return std::abs(s12.sum - 2 * ends) > 2 * *in_.height_threshold;
         const int64_t area = s1.area + s2.area;
-        return std::abs(s12.sum * area - ends * s12.area) >
-               *in_.height_threshold * s12.area * area;
+        return std::abs(s12.sum * area - ends * s12.area) > *in_.height_threshold * s12.area * area;
     }
 
     bool splits(const Piece& piece, const Corner& a, const Corner& b, const Corner& m) const {

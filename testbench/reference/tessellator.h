@@ -18,9 +18,9 @@ namespace repousse::reference {
 /// each must show in `check_leaves`.
 enum class Mistake {
     None,
-    TruncatingMidpoint, ///< U12 = U1 + (U2 - U1) / 2, rounded towards zero as C and Verilog do
-    SignedShiftBoxes,   ///< half-extents from the signed difference; square boxes are immune
-    ClampedSeam,        ///< a periodic map read as if it ended at its border
+    TruncatingMidpoint,  ///< U12 = U1 + (U2 - U1) / 2, rounded towards zero as C and Verilog do
+    SignedShiftBoxes,    ///< half-extents from the signed difference; square boxes are immune
+    ClampedSeam,         ///< a periodic map read as if it ended at its border
 };
 
 /// A vertex of the base mesh; uv in texels with `uv_frac` fraction bits.
@@ -47,8 +47,8 @@ struct TessellatorInput {
     std::vector<std::array<uint32_t, 3>> triangles;
     DisplacementMap map;
     int uv_frac = 8;
-    std::optional<int> cap;                   ///< highest generation; absent: as printed, unbounded
-    bool cap_depth = false;                   ///< cap a triangle's splits, not the generation
+    std::optional<int> cap;  ///< highest generation; absent: as printed, unbounded
+    bool cap_depth = false;  ///< cap a triangle's splits, not the generation
     std::optional<double> normal_threshold;
     bool map_space = false;                   ///< compare N_D and N apart instead of N'
     std::optional<int64_t> height_threshold;  ///< height LSB, or height LSB x texel^2
@@ -56,7 +56,7 @@ struct TessellatorInput {
     bool literal = false;                     ///< boxes |du| by |dv| instead of square ones
     std::optional<TessellatorView> view;
     Mistake mistake = Mistake::None;
-    uint64_t visit_limit = 10'000'000;        ///< give up after so many triangles
+    uint64_t visit_limit = 10'000'000;  ///< give up after so many triangles
 };
 
 struct Tessellation {
@@ -65,8 +65,8 @@ struct Tessellation {
                                        ///< T-vertices show even where a seam gapes
     uint64_t visits = 0;               ///< triangles looked at
     std::array<uint64_t, 4> by_split_edges{};
-    std::size_t deepest = 0;           ///< most splits between a base triangle and a leaf
-    bool finished = false;             ///< false: the visit limit stopped it
+    std::size_t deepest = 0;  ///< most splits between a base triangle and a leaf
+    bool finished = false;    ///< false: the visit limit stopped it
 };
 
 /// The recursion of Doggett and Hirche (2000), section 2, with the corrections of its formulae,

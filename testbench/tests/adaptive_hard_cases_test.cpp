@@ -91,14 +91,13 @@ TEST(HardCase, TheRecursionThatNeverEndsEnds) {
         const Outcome outcome = test::tessellate<Fixed>(profile, object, 1);
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
         std::printf("cap 15: %zu triangles, %llu visits, stack peak %llu of %d, %.2f s\n",
-                    outcome.report.triangles,
-                    (unsigned long long)outcome.run.counters.split.items,
+                    outcome.report.triangles, (unsigned long long)outcome.run.counters.split.items,
                     (unsigned long long)outcome.run.counters.stack_peak, 9 * 15 + 1,
                     seconds.count());
         EXPECT_EQ(outcome.report.open_edges, 0u);
         EXPECT_LT(outcome.run.counters.split.items, 100'000u);
         EXPECT_LE(outcome.run.counters.stack_peak, 9u * 15 + 1);
-        EXPECT_LT(seconds.count(), 10.0); // of a run that takes some tens of milliseconds
+        EXPECT_LT(seconds.count(), 10.0);  // of a run that takes some tens of milliseconds
     }
 }
 
@@ -118,8 +117,8 @@ Object mirrored(double turn, host::NormalSpace space) {
     }
     for (const auto& t : left.triangles) mesh.triangles.push_back({t[0] + 4, t[2] + 4, t[1] + 4});
     const auto rotate = [turn](glm::dvec3& v) {
-        v = {std::cos(turn) * v.x - std::sin(turn) * v.y, std::sin(turn) * v.x + std::cos(turn) * v.y,
-             v.z};
+        v = {std::cos(turn) * v.x - std::sin(turn) * v.y,
+             std::sin(turn) * v.x + std::cos(turn) * v.y, v.z};
     };
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
         rotate(mesh.positions[i]);
@@ -199,7 +198,7 @@ TEST(HardCase, ACameraInsideTheMeshSplitsWhatIsBehindIt) {
 
 TEST(HardCase, ThresholdsOfZeroAndOfTheMaximum) {
     Object object = test::donut(128);
-    object.settings.normal_threshold = 2.0; // components differ by 2 at most: never more
+    object.settings.normal_threshold = 2.0;  // components differ by 2 at most: never more
     object.settings.height_threshold = 65535;
     EXPECT_EQ(test::tessellate<Fixed>(kDefault, object).report.triangles, 18u);
     object.settings.height_mode = host::HeightMode::Sum;

@@ -70,12 +70,13 @@ TEST_P(Invariants, HoldWithEveryTestAndOption) {
             if (sum) s.height_threshold = 2e5;
             s.box = options & 1 ? host::BoxKind::Literal : host::BoxKind::Square;
             s.normal_space = options & 2 ? host::NormalSpace::Map : host::NormalSpace::World;
-            object.filter = options & 4 ? host::HeightFilter::Bilinear : host::HeightFilter::Nearest;
+            object.filter =
+                options & 4 ? host::HeightFilter::Bilinear : host::HeightFilter::Nearest;
             const char* shipped = options & 8 ? "narrow" : "default";
             const Outcome outcome =
                 test::tessellate<Fixed>(test::profile_with(shipped, {}), object);
-            test::expect_sound(outcome, "tests " + std::to_string(tests) + ", options " +
-                                            std::to_string(options));
+            test::expect_sound(
+                outcome, "tests " + std::to_string(tests) + ", options " + std::to_string(options));
         }
     }
 }
@@ -95,7 +96,7 @@ TEST_P(Invariants, HoldUnderTheViewTest) {
         EXPECT_LE(outcome.report.triangles, before);
         before = outcome.report.triangles;
     }
-    EXPECT_EQ(before, object_.mesh.triangles.size()); // nothing is longer than 4096 pixels
+    EXPECT_EQ(before, object_.mesh.triangles.size());  // nothing is longer than 4096 pixels
 }
 
 // Order and skipping are the hardware's own business: they must not show in the mesh.

@@ -65,9 +65,10 @@ TEST_P(BumpUnit, IsWithinItsRoundingOfTheExactRotation) {
     map(1, 1, false);
     const int frac = profile_.displaced_normal.frac;
     const auto in_lsb = [frac](int bits) { return std::ldexp(1.0, frac - bits); };
-    const double before = 0.5 * in_lsb(profile_.normal.frac) + 0.5 * in_lsb(profile_.unnormalised.frac);
-    const double bound = 0.5 + std::sqrt(3.0) * before / 0.99 +
-                         in_lsb(profile_.inverse_sqrt_bits) + in_lsb(30);
+    const double before =
+        0.5 * in_lsb(profile_.normal.frac) + 0.5 * in_lsb(profile_.unnormalised.frac);
+    const double bound =
+        0.5 + std::sqrt(3.0) * before / 0.99 + in_lsb(profile_.inverse_sqrt_bits) + in_lsb(30);
     Dice dice(kSeed);
     double worst = 0, worst_angle = 0;
     for (int i = 0; i < 200'000; ++i) {
@@ -114,7 +115,7 @@ TEST_P(BumpUnit, HandednessTurnsTheBitangent) {
     Vertex<Fixed> left = vertex({0, 0, 1}, {1, 0, 0}, -1);
     unit_(right);
     unit_(left);
-    EXPECT_GT(right.displaced_normal.y, 0); // B = N x T = +y
+    EXPECT_GT(right.displaced_normal.y, 0);  // B = N x T = +y
     EXPECT_EQ(left.displaced_normal.y, -right.displaced_normal.y);
     EXPECT_EQ(left.displaced_normal.z, right.displaced_normal.z);
     EXPECT_EQ(left.displaced_normal.x, 0);
@@ -141,7 +142,7 @@ TEST_P(BumpUnit, ReadsTheTexelThatUvLiesIn) {
 TEST_P(BumpUnit, AVectorWithoutDirectionIsCounted) {
     map(1, 1, false);
     set(0, {0, 0, 1});
-    Vertex<Fixed> v = vertex({0, 0, 0}, {0, 0, 0}, 1); // the mean of opposite normals
+    Vertex<Fixed> v = vertex({0, 0, 0}, {0, 0, 0}, 1);  // the mean of opposite normals
     unit_(v);
     EXPECT_EQ(v.displaced_normal, (Vec3<int32_t>{0, 0, 0}));
     EXPECT_EQ(unit_.counters().degenerate, 1u);
@@ -151,7 +152,7 @@ TEST_P(BumpUnit, AVectorWithoutDirectionIsCounted) {
 TEST_P(BumpUnit, ParallelTangentLeavesTheOtherTwoTerms) {
     map(1, 1, false);
     set(0, {0.6, 0.0, 0.8});
-    Vertex<Fixed> v = vertex({0, 0, 1}, {0, 0, 1}, 1); // N x T = 0
+    Vertex<Fixed> v = vertex({0, 0, 1}, {0, 0, 1}, 1);  // N x T = 0
     unit_(v);
     EXPECT_EQ(v.displaced_normal, (Vec3<int32_t>{0, 0, 1 << profile_.displaced_normal.frac}));
     EXPECT_EQ(unit_.counters().overflows, 0u);

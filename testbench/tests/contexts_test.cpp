@@ -117,8 +117,9 @@ TEST(Contexts, ABrokenBoundIsReported) {
     auto draw = draw_of(kDefault, test::donut());
     Contexts<Fixed> lanes(1, StackOrder::Lifo, 0);
     std::vector<Triangle<Fixed>> batch(1);
-    ASSERT_EQ(lanes.gather(batch, [&](Triangle<Fixed>& t) { return t = draw.base_triangle(0), true; }),
-              1u);
+    ASSERT_EQ(
+        lanes.gather(batch, [&](Triangle<Fixed>& t) { return t = draw.base_triangle(0), true; }),
+        1u);
     Split<Fixed> split(kDefault);
     std::array<Edge<Fixed>, 3> edges;
     for (auto& edge : edges) edge.split = true;

@@ -62,8 +62,12 @@ protected:
         return (texel(i, j) * (1 - s) + texel(i + 1, j) * s) * (1 - t) +
                (texel(i, j + 1) * (1 - s) + texel(i + 1, j + 1) * s) * t;
     }
-    long double scale() const { return std::ldexp((long double)map_.scale_mantissa, -map_.scale_exponent); }
-    double displacement(Uv u) { return std::ldexp(unit_.displacement(u), -profile_.displacement.frac); }
+    long double scale() const {
+        return std::ldexp((long double)map_.scale_mantissa, -map_.scale_exponent);
+    }
+    double displacement(Uv u) {
+        return std::ldexp(unit_.displacement(u), -profile_.displacement.frac);
+    }
     double lsb(const Format& format) const { return std::ldexp(1.0, -format.frac); }
 };
 
@@ -76,8 +80,8 @@ TEST_P(DisplaceUnit, DisplacementIsWithinItsRounding) {
             const int filter_bits = profile_.filtered_height.frac - profile_.height.frac;
             const double bound =
                 0.5 * lsb(profile_.displacement) +
-                (filter == HeightFilter::Bilinear
-                     ? 0.5 * std::ldexp(double(scale()), -filter_bits) : 0.0);
+                (filter == HeightFilter::Bilinear ? 0.5 * std::ldexp(double(scale()), -filter_bits)
+                                                  : 0.0);
             Dice dice(kSeed + 1);
             double worst = 0;
             for (int i = 0; i < 100'000; ++i) {
@@ -95,15 +99,16 @@ TEST_P(DisplaceUnit, DisplacementIsWithinItsRounding) {
 TEST_P(DisplaceUnit, PositionIsWithinHalfAnLsbAndTheErrorOfD) {
     random_map(37, 23, true, HeightFilter::Bilinear, 0.7);
     const Format& p = profile_.position;
-    const double d_bound = 0.5 * lsb(profile_.displacement) +
-                           0.5 * std::ldexp(double(scale()), profile_.height.frac -
-                                                                  profile_.filtered_height.frac);
+    const double d_bound =
+        0.5 * lsb(profile_.displacement) +
+        0.5 * std::ldexp(double(scale()), profile_.height.frac - profile_.filtered_height.frac);
     Dice dice(kSeed + 2);
     double worst = 0;
     for (int i = 0; i < 100'000; ++i) {
         const Uv u = at(dice.real(-18, 55), dice.real(-11, 34));
         const auto n = to_raw(dice.direction(), profile_.normal);
-        const Vec3<int32_t> base = to_raw({dice.real(-50, 50), dice.real(-50, 50), dice.real(-50, 50)}, p);
+        const Vec3<int32_t> base =
+            to_raw({dice.real(-50, 50), dice.real(-50, 50), dice.real(-50, 50)}, p);
         const double d = double(height(u) * scale());
         const glm::dvec3 exact = to_real(base, p) + d * to_real(n, profile_.normal);
         worst = std::max(worst, test::farthest(to_real(unit_(base, n, u), p), exact));
@@ -178,7 +183,7 @@ TEST_P(DisplaceUnit, UnitAxisMovesOneComponentOnly) {
     EXPECT_EQ(up.x, base.x);
     EXPECT_EQ(up.y, base.y);
     EXPECT_GE(up.z, base.z);
-    EXPECT_EQ(unit_(base, {0, 0, 0}, at(3, 4)), base); // no normal: not displaced
+    EXPECT_EQ(unit_(base, {0, 0, 0}, at(3, 4)), base);  // no normal: not displaced
 }
 
 TEST_P(DisplaceUnit, LeavingTheFormatSaturatesAndIsCounted) {

@@ -50,10 +50,10 @@ TEST(Draw, NaturalCapReachesOneTexel) {
         in.map = &map;
         return host::natural_cap(in, frac);
     };
-    EXPECT_EQ(cap(3, 256, 16), 7);   // 85.33 texels
-    EXPECT_EQ(cap(4, 256, 8), 6);    // 64 texels exactly
+    EXPECT_EQ(cap(3, 256, 16), 7);  // 85.33 texels
+    EXPECT_EQ(cap(4, 256, 8), 6);   // 64 texels exactly
     EXPECT_EQ(cap(1, 4096, 4), 12);
-    EXPECT_EQ(cap(16, 16, 8), 0);    // one texel an edge
+    EXPECT_EQ(cap(16, 16, 8), 0);  // one texel an edge
     EXPECT_EQ(cap(32, 16, 8), 0);
     EXPECT_EQ(cap(1, 16384, 8), 14);
 }
@@ -70,8 +70,8 @@ TEST(Draw, ScaleAndBiasStandForTheRange) {
             const double exact = range / double(profile->height.max_raw());
             EXPECT_NEAR(scale, exact, std::ldexp(exact, -kScaleBits + 1));
             EXPECT_LT(draw->map.scale_mantissa, 1 << kScaleBits);
-            EXPECT_EQ(draw->map.bias, std::lround(std::ldexp(o.map.range_low,
-                                                             profile->displacement.frac)));
+            EXPECT_EQ(draw->map.bias,
+                      std::lround(std::ldexp(o.map.range_low, profile->displacement.frac)));
         }
     }
 }

@@ -55,8 +55,8 @@ TEST(EdgeIter, EligibilityExhaustively) {
             t.unsplit_edges = uint8_t(n >> 12);
             unit.run(Span<const Triangle<Fixed>>(&t, 1), edges);
             for (unsigned e = 0; e < 3; ++e) {
-                const int generation = std::max(t.corners[e].generation,
-                                                t.corners[(e + 1) % 3].generation) + 1;
+                const int generation =
+                    std::max(t.corners[e].generation, t.corners[(e + 1) % 3].generation) + 1;
                 const bool flagged = (t.unsplit_edges & (1u << e)) != 0;
                 ASSERT_EQ(edges[e].eligible, generation <= cap && !flagged);
                 ASSERT_EQ(edges[e].undecided, edges[e].eligible);

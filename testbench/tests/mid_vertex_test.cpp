@@ -79,7 +79,7 @@ TEST_P(MidVertexUnit, OddSumsOfNegativeCoordinatesAreFloored) {
     Vertex<Fixed> a, b;
     a.uv = {-3, -1};
     b.uv = {0, 0};
-    EXPECT_EQ(middle(unit_, a, b).uv, (Uv{-2, -1})); // -1.5 and -0.5; truncation gives -1 and 0
+    EXPECT_EQ(middle(unit_, a, b).uv, (Uv{-2, -1}));  // -1.5 and -0.5; truncation gives -1 and 0
     b.uv = {2, 4};
     EXPECT_EQ(middle(unit_, a, b).uv, (Uv{-1, 1}));
     a.uv = b.uv = {int32_t(profile_.uv.min_raw()), int32_t(profile_.uv.max_raw())};
@@ -110,7 +110,7 @@ TEST_P(MidVertexUnit, NormalIsTheRoundedExactMean) {
     std::printf("%s, seed %llu: worst component %.4f LSB (bound %.4f), length %.3f LSB\n",
                 GetParam(), (unsigned long long)kSeed + 1, worst, bound, worst_length);
     EXPECT_LE(worst, bound);
-    EXPECT_GT(worst, 0.45); // the bound is not idle
+    EXPECT_GT(worst, 0.45);  // the bound is not idle
     EXPECT_LE(worst_length, std::sqrt(3.0) * bound);
     EXPECT_EQ(unit_.counters().overflows, 0u);
 }
@@ -173,7 +173,7 @@ TEST_P(MidVertexUnit, AttributesAreMadeWhereTheyAreWanted) {
     };
     EXPECT_EQ(run(true, false), 2u);  // the undecided ones
     EXPECT_EQ(run(true, true), 4u);
-    EXPECT_EQ(run(false, false), 3u); // those that are split
+    EXPECT_EQ(run(false, false), 3u);  // those that are split
     EXPECT_EQ(run(false, true), 3u);
 }
 

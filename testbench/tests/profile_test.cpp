@@ -149,8 +149,8 @@ TEST(Profile, HashSeesTheKeysOfItsUnitAndNoOther) {
         std::string value;
         if (entry.format != nullptr) {
             Format format = base.*entry.format;
-            format.overflow = format.overflow == Overflow::SC_WRAP ? Overflow::SC_SAT
-                                                                   : Overflow::SC_WRAP;
+            format.overflow =
+                format.overflow == Overflow::SC_WRAP ? Overflow::SC_SAT : Overflow::SC_WRAP;
             value = to_string(format);
         } else {
             value = std::to_string(base.*entry.integer - 1);
@@ -179,9 +179,9 @@ TEST(ProfileReader, ErrorsSayFileLineAndColumn) {
     EXPECT_THAT(message(text + "colour = 3\n"), HasSubstr("my.toml:"));
     EXPECT_THAT(message(text + "colour = 3\n"), HasSubstr("unknown key"));
     EXPECT_THAT(message("# one\ncolour = 3\n" + text), HasSubstr("my.toml:2:"));
-    EXPECT_THAT(message("\n\nuv = \"s14\n"), HasSubstr("my.toml:3:"));        // no TOML
-    EXPECT_THAT(message("\nuv = 1.5\n"), HasSubstr("my.toml:2:"));            // a wrong kind
-    EXPECT_THAT(message("uv = \"u14.8\"\n"), HasSubstr("my.toml:1:"));        // a wrong value
+    EXPECT_THAT(message("\n\nuv = \"s14\n"), HasSubstr("my.toml:3:"));  // no TOML
+    EXPECT_THAT(message("\nuv = 1.5\n"), HasSubstr("my.toml:2:"));      // a wrong kind
+    EXPECT_THAT(message("uv = \"u14.8\"\n"), HasSubstr("my.toml:1:"));  // a wrong value
     EXPECT_THAT(message(text.substr(text.find('\n') + 1)), HasSubstr("\"uv\": missing key"));
     EXPECT_EQ(parse_profile("\n", "x").error().kind, ErrorKind::Input);
 }

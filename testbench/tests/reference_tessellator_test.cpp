@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <random>
 
+#include <glm/geometric.hpp>
+
 #include "testbench/host/map/procedural_map.h"
 #include "testbench/host/mesh/procedural_mesh.h"
 #include "testbench/tests/support/adaptive_run.h"
@@ -24,7 +26,8 @@ Profile uv_profile(int frac) {
 }
 
 // Leaves with positions in an order of their own, so that two runs compare as sets.
-std::vector<std::array<double, 15>> sorted_rows(const std::vector<reference::LeafTriangle>& leaves) {
+std::vector<std::array<double, 15>> sorted_rows(
+    const std::vector<reference::LeafTriangle>& leaves) {
     std::vector<std::array<double, 15>> rows;
     for (const auto& leaf : leaves) {
         std::size_t first = 0;
@@ -72,6 +75,10 @@ test::Object random_object(std::mt19937_64& random) {
         for (std::size_t i = 0; i < object.mesh.uv.size(); ++i) {
             object.mesh.uv[i] += glm::dvec2(fraction(random), fraction(random)) * 0.1 - 0.05;
             object.mesh.positions[i].z = 0.1 * fraction(random);
+            // Tilted frames, so that no component of N' stands for one of the map's.
+            const glm::dvec3 lean(fraction(random) - 0.5, fraction(random) - 0.5, 1.0);
+            object.mesh.normals[i] = glm::normalize(lean);
+            object.mesh.tangents[i] = glm::normalize(glm::cross(glm::dvec3(0, 1, 0.3), lean));
         }
         if (random() % 4 == 0) {
             for (double& hand : object.mesh.handedness) hand = -1.0;

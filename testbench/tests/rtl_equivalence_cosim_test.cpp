@@ -156,11 +156,12 @@ INSTANTIATE_TEST_SUITE_P(
                     Mutation{"ViewTestIsNotStrict", "view_test", "units/view_test.sv",
                              "distance > threshold", "distance >= threshold"},
                     Mutation{"HeightTestSubtractsTooMuch", "height_test", "units/height_test.sv",
-                             "(column == 2'd1) ^ (row == 2'd1)", "(column == 2'd1) | (row == 2'd1)"},
+                             "(column == 2'd1) ^ (row == 2'd1)",
+                             "(column == 2'd1) | (row == 2'd1)"},
                     Mutation{"HeightTestForgetsTheSeam", "height_test", "units/height_test_side.sv",
                              "periodic && period(a", "0 && period(a"},
                     Mutation{"HeightTestDifferenceHasOneBitLess", "height_test",
-                             "units/height_test_compare.sv", "if (d[SW]) d = -d;",
+                             "units/height_test_decision.sv", "if (d[SW]) d = -d;",
                              "if (d[SW-1]) d = -d;"}),
     [](const auto& mutation) { return mutation.param.name; });
 

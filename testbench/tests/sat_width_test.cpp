@@ -35,8 +35,8 @@ public:
         : stride_(std::size_t(map.width) + 1), table_(stride_ * (std::size_t(map.height) + 1)) {
         for (std::size_t y = 1; y * stride_ < table_.size(); ++y) {
             for (std::size_t x = 1; x < stride_; ++x) {
-                at(x, y) = at(x - 1, y) + at(x, y - 1) - at(x - 1, y - 1) +
-                           map.at(int(x) - 1, int(y) - 1);
+                at(x, y) =
+                    at(x - 1, y) + at(x, y - 1) - at(x - 1, y - 1) + map.at(int(x) - 1, int(y) - 1);
             }
         }
     }
@@ -111,16 +111,17 @@ TEST_P(SatWidth, BoxSumsAndTheirDifferenceAreExactAndOneBitFewerFails) {
             ASSERT_EQ(stored(b.mid, bits), uint64_t(s12));
             ASSERT_EQ(stored(b.end1, bits), uint64_t(s1));
             wrong_sums += stored(b.mid, bits - 1) != uint64_t(s12);
-            const uint64_t difference = stored(b.mid, bits) -
-                                        2 * (stored(b.end1, bits) + stored(b.end2, bits));
+            const uint64_t difference =
+                stored(b.mid, bits) - 2 * (stored(b.end1, bits) + stored(b.end2, bits));
             ASSERT_EQ(as_signed(difference, bits + 1), s12 - 2 * (s1 + s2));
             wrong_differences += as_signed(difference, bits) != s12 - 2 * (s1 + s2);
         }
     }
-    std::printf("%d x %d, seed %llu: with %d stored bits %zu of %d sums are wrong, with %d bits "
-                "%zu differences\n",
-                size, size, (unsigned long long)kSeed, bits - 1, wrong_sums, 3 * boxes, bits,
-                wrong_differences);
+    std::printf(
+        "%d x %d, seed %llu: with %d stored bits %zu of %d sums are wrong, with %d bits "
+        "%zu differences\n",
+        size, size, (unsigned long long)kSeed, bits - 1, wrong_sums, 3 * boxes, bits,
+        wrong_differences);
     EXPECT_GT(wrong_sums, 0u);
     EXPECT_GT(wrong_differences, 0u);
 }
@@ -146,7 +147,7 @@ TEST_P(SatWidth, TheUnitDecidesAsExactArithmeticDoes) {
             const Uv u1{place(), place()}, u2{place(), place()};
             const Uv u12{(u1.x + u2.x) >> 1, (u1.y + u2.y) >> 1};
             const int e = std::max(std::abs(u1.x - u2.x), std::abs(u1.y - u2.y));
-            if (e < 8) continue; // such boxes are widened: height_test_test's concern
+            if (e < 8) continue;  // such boxes are widened: height_test_test's concern
             const auto box = [s = size](Uv u, int half) {
                 const auto clip = [s](int x) { return std::clamp(x, 0, s); };
                 return Rect{clip(u.x - half), clip(u.y - half), clip(u.x + half), clip(u.y + half)};
@@ -159,7 +160,7 @@ TEST_P(SatWidth, TheUnitDecidesAsExactArithmeticDoes) {
             // fires and one that just does not.
             const int64_t scaled = mode == HeightMode::Sum
                                        ? exact.sum(b12) - 2 * ends
-                                       : exact.sum(b12) * both - ends * area(b12); // 61 bits
+                                       : exact.sum(b12) * both - ends * area(b12);  // 61 bits
             const int64_t unit_of = mode == HeightMode::Sum ? 2 : area(b12) * both;
             const int64_t magnitude = std::abs(scaled);
             const auto at_most = uint64_t(magnitude / unit_of);
@@ -203,9 +204,8 @@ TEST_P(SatWidth, EdgesLongerThanTheMapAreRefused) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Map, SatWidth, testing::ValuesIn(kCases), [](const auto& c) {
-    return "Side" + std::to_string(c.param.size);
-});
+INSTANTIATE_TEST_SUITE_P(Map, SatWidth, testing::ValuesIn(kCases),
+                         [](const auto& c) { return "Side" + std::to_string(c.param.size); });
 
 }  // namespace
 }  // namespace repousse

@@ -28,9 +28,10 @@ reference::TessellatorInput reference_input(const host::DrawInputs& inputs, int 
                                 mesh.tangents[i],
                                 mesh.handedness[i]});
     }
-    out.map = {map.width, map.height, map.wrap, inputs.filter == host::HeightFilter::Bilinear,
-               map.texels, (map.range_high - map.range_low) / 65535.0, map.range_low,
-               inputs.texel_size};
+    out.map = {map.width,     map.height,
+               map.wrap,      inputs.filter == host::HeightFilter::Bilinear,
+               map.texels,    (map.range_high - map.range_low) / 65535.0,
+               map.range_low, inputs.texel_size};
     out.uv_frac = uv_frac;
     out.cap = s.generation_cap ? *s.generation_cap : host::natural_cap(inputs, uv_frac);
     out.normal_threshold = s.normal_threshold;
@@ -52,8 +53,8 @@ Relief jacksboro_relief(int x, int y, int width, int height) {
     const std::string path = "inputs/jacksboro_fault_dem.npz";
     if (host::is_file(path)) {
         const auto bytes = host::read_file(path);
-        const auto grid = bytes ? host::read_npz(*bytes, path)
-                                : Result<host::ElevationGrid>(bytes.error());
+        const auto grid =
+            bytes ? host::read_npz(*bytes, path) : Result<host::ElevationGrid>(bytes.error());
         if (grid) {
             const auto part = host::crop(host::quantise(*grid), x, y, width, height);
             if (part) return {*part, true};

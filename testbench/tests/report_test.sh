@@ -1,0 +1,120 @@
+#!/bin/bash
+# What `repousse sim` writes: report.json obeys its schema, the same inputs give the same bytes, and
+# units that the scene does not call for change nothing.
+set -u
+program=${REPOUSSE_PROGRAM:?set by ctest: the repousse program}
+scene=scenes/donut_small.toml
+support=testbench/tests/support
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+failures=0
+
+fail() {
+    echo "FAILED: $1"
+    failures=$((failures + 1))
+}
+
+# sim NAME OPTIONS...: a run into a folder of that name.
+sim() {
+    local name=$1
+    shift
+    "$program" sim "$scene" -o "$folder/$name" --quiet "$@" > "$folder/log" 2>&1 && return
+    cat "$folder/log"
+    fail "sim $* ends with status 0"
+}
+
+valid() { # NAME: its report obeys the schema
+    python3 $support/check_schema.py docs/report.schema.json "$folder/$1/report.json" ||
+        fail "the report of the run '$1' is valid"
+}
+
+# refused NAME EXPRESSION: the report, spoilt by a Python statement on `r`, violates the schema.
+refused() {
+    python3 - "$folder/first/report.json" "$folder/spoilt.json" "$2" <<'PYTHON'
+import json, sys
+with open(sys.argv[1]) as file:
+    r = json.load(file)
+exec(sys.argv[3])
+with open(sys.argv[2], "w") as file:
+    json.dump(r, file)
+PYTHON
+    if python3 $support/check_schema.py docs/report.schema.json "$folder/spoilt.json" \
+        > "$folder/log" 2>&1; then
+        fail "a report with $1 is refused"
+    fi
+}
+
+sim first
+sim second
+sim everything --everything
+sim ref --level ref
+sim ref_everything --level ref --everything
+sim unchecked --no-check --profile narrow
+for name in first everything ref ref_everything unchecked; do valid $name; done
+
+refused "an unknown field" 'r["surprise"] = 1'
+refused "an unknown field in an object" 'r["objects"][0]["surprise"] = 1'
+refused "an unknown counter" 'r["units"]["elaborated"][0]["counters"]["surprise"] = 1'
+refused "another unit's counter" 'r["units"]["elaborated"][0]["counters"] = {"known_unsplit": 1}'
+refused "an unknown unit" 'r["units"]["elaborated"][0]["unit"] = "surprise"'
+refused "an unknown profile entry" 'r["profile"]["entries"]["surprise"] = "s1.2"'
+refused "a missing field" 'del r["table_bytes"]'
+refused "a missing profile entry" 'del r["profile"]["entries"]["uv"]'
+refused "a negative count" 'r["objects"][0]["triangles"] = -1'
+refused "a count that is text" 'r["objects"][0]["triangles"] = "1"'
+refused "no time at level lt" 'del r["time"]'
+refused "a time at level ref" 'r["level"] = "ref"'
+
+for file in frame.png mesh.ply report.json; do
+    cmp "$folder/first/$file" "$folder/second/$file" || fail "two runs give the same $file"
+done
+for file in frame.png mesh.ply; do
+    cmp "$folder/first/$file" "$folder/everything/$file" || fail "--everything gives the same $file"
+done
+for name in first everything ref unchecked; do
+    for file in frame.png mesh.ply report.json timing.json; do
+        [[ -s $folder/$name/$file ]] || fail "the run '$name' writes $file"
+    done
+done
+
+# The units that two runs have both elaborated count the same.
+python3 - "$folder" <<'PYTHON' || fail "the reports agree"
+import json, sys
+
+def read(name):
+    with open(f"{sys.argv[1]}/{name}/report.json") as file:
+        return json.load(file)
+
+def counters(report):
+    return {u["unit"]: u["counters"] for u in report["units"]["elaborated"]}
+
+def omitted(report):
+    return [u["unit"] for u in report["units"]["omitted"]]
+
+first, everything, ref = read("first"), read("everything"), read("ref")
+needed, built = counters(first), counters(everything)
+assert omitted(first) == ["view_test", "vertex_transform"], omitted(first)
+assert omitted(everything) == [] and len(built) == len(needed) + 2
+for unit in needed:
+    assert needed[unit] == built[unit], unit
+assert built["view_test"] == {"items": 0, "tests": 0, "positives": 0}
+assert first["time"] == everything["time"] and first["objects"] == everything["objects"]
+assert first["objects"][0]["triangles"] > 1000
+assert first["objects"][0]["invariants"] == {"open_edges": 0, "flipped": 0, "zero_area": 0}
+assert "invariants" not in read("unchecked")["objects"][0]
+assert set(counters(ref)) == set(needed) and ref["objects"][0]["triangles"] > 1000
+PYTHON
+
+# timing.json is for people and differs from run to run; its fields do not.
+python3 - "$folder/first/timing.json" <<'PYTHON' || fail "timing.json has its fields"
+import json, sys
+with open(sys.argv[1]) as file:
+    timing = json.load(file)
+assert list(timing) == ["schema", "wall_s", "tessellation_s", "triangles_per_s", "machine"], timing
+assert timing["schema"] == "repousse-timing/1"
+assert list(timing["machine"]) == ["processor", "threads", "compiler"]
+assert all(seconds >= 0 for seconds in timing["wall_s"].values())
+PYTHON
+
+echo "$failures failures"
+[[ $failures -eq 0 ]]
