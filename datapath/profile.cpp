@@ -20,7 +20,7 @@ constexpr ProfileEntry integer_entry(std::string_view key, int Profile::*member,
 // and from the rules in check_growth.
 constexpr std::array kEntries = {
     format_entry("uv", &Profile::uv, true, 4, 31, "texture coordinates, in texels"),
-    integer_entry("sat_width", &Profile::sat_width, 8, 48, "stored bits of the summed-area table"),
+    integer_entry("sat_width", &Profile::sat_width, 8, 39, "stored bits of the summed-area table"),
     format_entry("height", &Profile::height, false, 1, 16, "a texel of the displacement map"),
     format_entry("map_normal", &Profile::map_normal, true, 3, 16, "a component of N_D"),
     format_entry("position", &Profile::position, true, 4, 32, "P and P', in world units"),

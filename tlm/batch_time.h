@@ -23,6 +23,13 @@ public:
         stage(desc, items, items * static_cast<uint64_t>(desc.interval));
     }
 
+    /// Work of the same units that ran ahead of this batch, item after item: it keeps them busy,
+    /// but fills the pipeline once.
+    void ahead(const BatchTime& other) {
+        fill_ = other.fill_ > fill_ ? other.fill_ : fill_;
+        bottleneck_ += other.bottleneck_;
+    }
+
     /// Cycles of a batch whose triangles belong to `contexts` contexts: a context waits for its
     /// own triangle to come round, so each of its triangles costs at least one fill.
     uint64_t cycles(uint64_t triangles, uint64_t contexts) const {

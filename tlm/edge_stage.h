@@ -13,7 +13,7 @@
 
 namespace repousse::shell {
 
-/// A batch on its way through the tests: up to 64 triangles, three edges each.
+/// A batch on its way through the tests: up to kBatchTriangles triangles, three edges each.
 struct EdgeBatch {
     Span<const Triangle<Fixed>> triangles;
     Span<Edge<Fixed>> edges;

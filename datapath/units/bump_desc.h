@@ -5,8 +5,8 @@
 namespace repousse {
 
 inline constexpr Port kBumpPorts[] = {
-    {PortKind::Config, "map_width", "", 13, true, "W, texels"},
-    {PortKind::Config, "map_height", "", 13, true, "H, texels"},
+    {PortKind::Config, "map_width", "", 15, true, "W, texels"},
+    {PortKind::Config, "map_height", "", 15, true, "H, texels"},
     {PortKind::Config, "wrap", "", 1, true, "the map is periodic"},
     {PortKind::Input, "u_x", "uv", 0, false, "texture coordinates"},
     {PortKind::Input, "u_y", "uv", 0, false, ""},

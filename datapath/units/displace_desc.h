@@ -5,8 +5,8 @@
 namespace repousse {
 
 inline constexpr Port kDisplacePorts[] = {
-    {PortKind::Config, "map_width", "", 13, true, "W, texels"},
-    {PortKind::Config, "map_height", "", 13, true, "H, texels"},
+    {PortKind::Config, "map_width", "", 15, true, "W, texels"},
+    {PortKind::Config, "map_height", "", 15, true, "H, texels"},
     {PortKind::Config, "wrap", "", 1, true, "the map is periodic"},
     {PortKind::Config, "bilinear", "", 1, true, "between texel centres; otherwise the nearest"},
     {PortKind::Config, "scale_mantissa", "", 25, true, "D = h * mantissa * 2^-exponent + bias"},

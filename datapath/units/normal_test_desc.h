@@ -5,8 +5,8 @@
 namespace repousse {
 
 inline constexpr Port kNormalTestPorts[] = {
-    {PortKind::Config, "threshold", "displaced_normal", -1, true,
-     "largest difference that passes; without the sign bit"},
+    {PortKind::Config, "threshold", "displaced_normal", 0, true,
+     "largest difference that passes; components differ by up to 2"},
     {PortKind::Config, "map_space", "", 1, true, "compare N_D and N apart"},
     {PortKind::Input, "displaced_normal1_x", "displaced_normal", 0, false, "end 1"},
     {PortKind::Input, "displaced_normal1_y", "displaced_normal", 0, false, ""},

@@ -74,7 +74,7 @@ Result<Job> load_job(const std::string& scene_file, const std::string& profile,
     const Result<Profile> found = find_profile(job.profile_name);
     if (!found) return found.error();
     job.profile = *found;
-    job.device.profile = job.profile;
+    job.needed.profile = job.profile;
     job.notes = job.scene.notes;
     // Objects keep pointers into the scene's list, which moves as a whole.
     for (const host::Object& object : job.scene.objects) {
@@ -88,41 +88,48 @@ Result<Job> load_job(const std::string& scene_file, const std::string& profile,
         loaded.mesh = std::move(*mesh);
         loaded.map = std::move(*map);
         loaded.diagnosis = host::mesh_check(loaded.mesh);
-        job.device.include(device_for(job.profile, object));
+        job.needed.include(device_for(job.profile, object));
         job.objects.push_back(std::move(loaded));
         note_mesh(job, job.objects.back());
         note_cap(job, job.objects.size() - 1);
     }
+    job.device = job.needed;
     return job;
 }
 
 std::vector<UnitReason> explain_units(const Job& job) {
-    const DeviceConfig& d = job.device;
-    const auto yes_no = [](bool built, std::string yes, std::string no) {
-        return built ? std::move(yes) : std::move(no);
+    const DeviceConfig& need = job.needed;
+    const DeviceConfig& built = job.device;
+    const auto reason = [](std::string_view unit, bool is_built, bool is_needed,
+                           std::string_view yes, std::string_view no) {
+        std::string why(is_needed ? yes : no);
+        if (is_built && !is_needed) why += "; built on request";
+        return UnitReason{unit, is_built, why};
+    };
+    const auto always = [](std::string_view unit, std::string_view why) {
+        return UnitReason{unit, true, std::string(why)};
     };
     return {
-        {"triangle_stack", true, "every adaptive object is tessellated recursively"},
-        {"edge_iter", true, "tests are made edge by edge"},
-        {"mid_vertex", true, "new vertices are midpoints of edges"},
-        {"texcoord_test", true, "refinement ends at the map's resolution"},
-        {"view_test", d.view_test,
-         yes_no(d.view_test, "an object has view_threshold_px", "no object has view_threshold_px")},
-        {"bump", d.bump,
-         yes_no(d.bump,
-                d.normal_test ? "the normal test compares displaced normals"
-                              : "an object asks for displaced normals with [object.bump]",
-                "no object has normal_threshold or [object.bump]: no normal map is made")},
-        {"normal_test", d.normal_test,
-         yes_no(d.normal_test, "an object has normal_threshold", "no object has normal_threshold")},
-        {"height_test", d.height_test,
-         yes_no(d.height_test, "an object has a height threshold",
-                "no object has a height threshold: no summed-area table is made")},
-        {"split", true, "edges are decided and triangles cut"},
-        {"displace", true, "vertices are displaced"},
-        {"vertex_transform", d.view_test,
-         yes_no(d.view_test, "the view test measures on the screen",
-                "without a view test no screen position is needed")},
+        always("triangle_stack", "every adaptive object is tessellated recursively"),
+        always("edge_iter", "tests are made edge by edge"),
+        always("mid_vertex", "new vertices are midpoints of edges"),
+        always("texcoord_test", "refinement ends at the map's resolution"),
+        reason("view_test", built.view_test, need.view_test, "an object has view_threshold_px",
+               "no object has view_threshold_px"),
+        reason("bump", built.bump, need.bump,
+               need.normal_test ? "the normal test compares displaced normals"
+                                : "an object asks for displaced normals with [object.bump]",
+               "no object has normal_threshold or [object.bump]: no normal map is made"),
+        reason("normal_test", built.normal_test, need.normal_test, "an object has normal_threshold",
+               "no object has normal_threshold"),
+        reason("height_test", built.height_test, need.height_test,
+               "an object has a height threshold",
+               "no object has a height threshold: no summed-area table is made"),
+        always("split", "edges are decided and triangles cut"),
+        always("displace", "vertices are displaced"),
+        reason("vertex_transform", built.view_test, need.view_test,
+               "the view test measures on the screen",
+               "without a view test no screen position is needed"),
     };
 }
 

@@ -29,7 +29,8 @@ struct Job {
     std::string profile_name;
     Profile profile;
     std::vector<LoadedObject> objects;
-    DeviceConfig device;
+    DeviceConfig needed;             ///< what the scene calls for
+    DeviceConfig device;             ///< what is built: that, or more on request
     std::vector<std::string> notes;  ///< what a user should know but need not mend
 
     /// How object i is tessellated; it refers to this job.

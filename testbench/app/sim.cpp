@@ -125,7 +125,8 @@ Status simulate(const SimOptions& options) {
     const Progress progress = [&phases](const std::string& text) { phases.start(text); };
     Result<Job> job = load_job(options.scene, options.profile, progress);
     if (!job) return job.error();
-    if (options.everything) job->device.include_everything();
+    // Level ref builds no device, so there is nothing to add to.
+    if (options.everything && *level == Level::Lt) job->device.include_everything();
     const Result<SimResult> result = run_level(*job, *level, !options.no_check, progress);
     if (!result) return result.error();
     if (const Status written = write_outputs(options, *job, *level, *result, phases); !written) {

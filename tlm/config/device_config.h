@@ -15,7 +15,7 @@ struct DeviceConfig {
     bool normal_test = false;  ///< needs bump
     bool height_test = false;  ///< with it the summed-area table
     bool bump = false;         ///< with it the normal map
-    int contexts = 1;          ///< 1 to 64: triangles in flight; they set the time, not the values
+    int contexts = 1;          ///< 1 to 32: triangles in flight; they set the time, not the values
     double clock_period_ns = 2.0;
 
     /// The smallest device that can do what both can; the profile and clock are this one's.

@@ -94,6 +94,8 @@ void DisplacementUnit::reset() {
     frame_ = {};
     status_ = error_ = output_count_ = 0;
     cycles_ = 0;
+    interrupt_level_ = false;
+    interrupt_event_.notify(sc_core::SC_ZERO_TIME);
     memory_port.clear();
     triangle_stack_.reset();
     edge_iter_.reset();
@@ -128,8 +130,8 @@ uint32_t DisplacementUnit::read_register(uint32_t index) const {
 }
 
 void DisplacementUnit::write_register(uint32_t index, uint32_t value) {
-    file_[index] = value;
     const bool busy = (status_ & kStatusBusy) != 0;
+    file_[index] = index == kControl ? value & 1 : value;
     if (index == kControl && (value & 2) != 0 && !busy) {
         reset();
     } else if (index == kDoorbell && value == kStart && !busy) {
@@ -172,7 +174,8 @@ void DisplacementUnit::b_transport(tlm::tlm_generic_payload& trans, sc_core::sc_
 }
 
 unsigned DisplacementUnit::transport_dbg(tlm::tlm_generic_payload& trans) {
-    return access(trans) ? 4 : 0;
+    // Looking must not change anything, and a write here would ring bells.
+    return trans.is_read() && access(trans) ? 4 : 0;
 }
 
 }  // namespace repousse::shell

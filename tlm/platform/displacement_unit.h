@@ -31,7 +31,7 @@ namespace repousse::shell {
 ///
 /// | socket      | kind      | what for                                                        |
 /// |-------------|-----------|-----------------------------------------------------------------|
-/// | registers   | target    | 32-bit words, registers.h; b_transport and transport_dbg        |
+/// | registers   | target    | 32-bit words, registers.h; b_transport, and debug reads         |
 /// | memory_port | initiator | vertices, maps, tables and output, 64-bit addresses; uses DMI    |
 /// | interrupt   | sc_out    | rises when a frame is done, has failed, or the output is full    |
 ///
@@ -85,6 +85,7 @@ private:
     uint64_t cycles_ = 0;
     const VertexRecord* vertices_ = nullptr;
     const uint32_t* indices_ = nullptr;
+    bool bad_index_ = false;
     bool interrupt_level_ = false;
     sc_core::sc_event start_event_;
     sc_core::sc_event drained_event_;

@@ -49,6 +49,8 @@ const char* reason(uint32_t error) {
             return "a memory access was answered with an error";
         case kStackOverflow:
             return "the triangle stack overflowed its proven bound";
+        case kBadIndex:
+            return "an index names no vertex";
         default:
             return "no reason given";
     }

@@ -53,6 +53,7 @@ void DisplacementUnit::run_frames() {
 FrameError DisplacementUnit::run_frame() {
     if (const FrameError error = configure_units()) return error;
     uint32_t next = 0;
+    bad_index_ = false;
     TriangleStack::Frame frame;
     frame.order = has(kFifo) ? StackOrder::Fifo : StackOrder::Lifo;
     frame.cap = static_cast<int>(frame_[kCap]);
@@ -63,6 +64,7 @@ FrameError DisplacementUnit::run_frame() {
     frame.elapse = [this](uint64_t cycles) { elapse(cycles); };
     const bool fits = triangle_stack_.run(frame);
     if (!memory_port.ok()) return kMemoryError;
+    if (bad_index_) return kBadIndex;
     return fits ? kNoError : kStackOverflow;
 }
 
@@ -168,7 +170,10 @@ bool DisplacementUnit::fetch(uint32_t index, Triangle<Fixed>& triangle) {
     triangle = {};
     for (std::size_t k = 0; k < 3; ++k) {
         const uint32_t i = indices_[3 * std::size_t(index) + k];
-        if (i >= frame_[kVertexCount]) return false;
+        if (i >= frame_[kVertexCount]) {
+            bad_index_ = true;
+            return false;
+        }
         const VertexRecord& r = vertices_[i];
         Vertex<Fixed>& v = triangle.corners[k];
         v.uv = {r.uv[0], r.uv[1]};

@@ -4,6 +4,7 @@
 #include <systemc>
 #include <tlm>
 
+#include "datapath/pipelines/adaptive.h"
 #include "tlm/memory/bus.h"
 #include "tlm/memory/memory.h"
 #include "tlm/platform/displacement_unit.h"
@@ -53,6 +54,13 @@ Result<Platform> Platform::create(const DeviceConfig& config,
                      {},
                      "a second platform in one process",
                      "one elaboration a process, as the SystemC kernel demands",
+                     {}};
+    }
+    if (config.contexts < 1 || config.contexts > static_cast<int>(kBatchTriangles)) {
+        return Error{ErrorKind::Input,
+                     "contexts",
+                     std::to_string(config.contexts) + " is out of range",
+                     "1 to " + std::to_string(kBatchTriangles),
                      {}};
     }
     AddressMap map;

@@ -80,6 +80,7 @@ enum FrameError : uint32_t {
     kBadRegister,    ///< a register is out of its range
     kMemoryError,    ///< an access was answered with an error
     kStackOverflow,  ///< the stack's bound did not hold
+    kBadIndex,       ///< an index names no vertex
 };
 
 enum Feature : uint32_t {

@@ -15,11 +15,12 @@ Status HeightTest::configure(const HeightTestRegisters& registers, Span<const ui
 }
 
 void HeightTest::process(EdgeBatch& batch, BatchTime& time) {
-    const uint64_t reads_before = unit_.stats().reads;
+    const uint64_t beats = unit_.stats().beats;
+    const uint64_t tests = unit_.counters().tests;
     unit_.run(batch.edges, eager_);
-    // Three boxes are read side by side; a skipped edge passes in one cycle.
-    const uint64_t reads = unit_.stats().reads - reads_before;
-    time.stage(kHeightTestDesc, batch.edges.size(), batch.edges.size() + reads / 3);
+    // A tested edge takes a cycle for each beat of its reads, a skipped one passes in one cycle.
+    const uint64_t skipped = batch.edges.size() - (unit_.counters().tests - tests);
+    time.stage(kHeightTestDesc, batch.edges.size(), unit_.stats().beats - beats + skipped);
 }
 
 }  // namespace repousse::shell

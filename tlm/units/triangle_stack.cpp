@@ -20,7 +20,9 @@ bool TriangleStack::run(const Frame& frame) {
     BatchTime time;
     const auto fetch = [&](Triangle<Fixed>& place) {
         if (!frame.fetch(place)) return false;
-        base_out->prepare(place, time);
+        BatchTime base;
+        base_out->prepare(place, base);
+        time.ahead(base);
         return true;
     };
     bool fits = true;
