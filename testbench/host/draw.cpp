@@ -162,6 +162,13 @@ void encode_registers(const Profile& profile, const DrawInputs& inputs, Adaptive
 // What the units ask of their inputs beyond formats.
 template <class P>
 Status check_domain(const Profile& profile, const AdaptiveDraw<P>& draw) {
+    if (draw.map.filter == HeightFilter::Bilinear && profile.uv.frac == 0) {
+        return Error{ErrorKind::Input,
+                     {},
+                     "bilinear reads between texel centres",
+                     "at least one fraction bit of uv",
+                     "read the nearest texel or choose a wider uv"};
+    }
     if (!draw.registers.use_height_test) return done();
     HeightTest unit(profile);
     const Status registers = unit.check(draw.registers.height_test, draw.tables.sums.size());

@@ -129,7 +129,8 @@ TEST_P(BumpUnit, ReadsTheTexelThatUvLiesIn) {
             for (int x = -4; x < 9; ++x) {
                 Vertex<Fixed> v = vertex({0, 0, 1}, {1, 0, 0}, 1);
                 // The last fraction of the texel, so that a rounded address would miss it.
-                v.uv = {((x + 1) << profile_.uv.frac) - 1, ((y + 1) << profile_.uv.frac) - 1};
+                const int one = 1 << profile_.uv.frac;
+                v.uv = {(x + 1) * one - 1, (y + 1) * one - 1};
                 unit_(v);
                 const int column = wrap ? (x + 5) % 5 : std::clamp(x, 0, 4);
                 const int row = wrap ? (y + 3) % 3 : std::clamp(y, 0, 2);
