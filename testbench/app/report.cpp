@@ -1,5 +1,6 @@
 #include "testbench/app/report.h"
 
+#include <algorithm>
 #include <fstream>
 #include <thread>
 
@@ -55,7 +56,14 @@ Json object_part(const LoadedObject& loaded, const ObjectResult& object) {
     return part;
 }
 
-Json units_part(const Job& job, const SimResult& result) {
+uint64_t busy_cycles(const SimResult& result, std::string_view unit) {
+    for (const shell::UnitBusy& row : result.busy) {
+        if (row.unit->name == unit) return row.cycles;
+    }
+    return 0;
+}
+
+Json units_part(const Job& job, Level level, const SimResult& result) {
     Json elaborated = Json::array();
     Json omitted = Json::array();
     for (const UnitReason& reason : explain_units(job)) {
@@ -67,7 +75,9 @@ Json units_part(const Job& job, const SimResult& result) {
         for (const CounterRow& row : result.counters) {
             if (row.unit == reason.unit) counters[std::string(row.name)] = row.value;
         }
-        elaborated.push_back({{"unit", reason.unit}, {"why", reason.why}, {"counters", counters}});
+        Json part = {{"unit", reason.unit}, {"why", reason.why}, {"counters", counters}};
+        if (level == Level::Lt) part["busy_cycles"] = busy_cycles(result, reason.unit);
+        elaborated.push_back(part);
     }
     return {{"elaborated", elaborated}, {"omitted", omitted}};
 }
@@ -105,7 +115,7 @@ std::string report_json(const Job& job, Level level, const SimResult& result) {
         objects.push_back(object_part(job.objects[i], result.objects[i]));
     }
     report["objects"] = objects;
-    report["units"] = units_part(job, result);
+    report["units"] = units_part(job, level, result);
     report["table_bytes"] = result.table_bytes;
     if (level == Level::Lt) {
         report["time"] = {{"clock_period_ns", job.device.clock_period_ns},
@@ -163,6 +173,16 @@ std::string summary(const Job& job, Level level, const SimResult& result) {
                             result.cycles, static_cast<double>(result.cycles) / triangles,
                             static_cast<double>(result.cycles) * job.device.clock_period_ns * 1e-6,
                             static_cast<int>(1000 / job.device.clock_period_ns));
+        std::vector<shell::UnitBusy> busy = result.busy;
+        std::sort(busy.begin(), busy.end(),
+                  [](const auto& p, const auto& q) { return p.cycles > q.cycles; });
+        text += "  busiest:";
+        for (std::size_t i = 0; i < std::min<std::size_t>(3, busy.size()); ++i) {
+            text += fmt::format(
+                "{} {} {:.0f} %", i == 0 ? "" : ",", busy[i].unit->name,
+                100 * static_cast<double>(busy[i].cycles) / static_cast<double>(result.cycles));
+        }
+        text += "\n";
     }
     for (const std::string& note : job.notes) text += "  note: " + note + "\n";
     return text;

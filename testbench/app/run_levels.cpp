@@ -112,6 +112,7 @@ Result<SimResult> run_lt(const Job& job, bool check, const Progress& progress) {
     result.tessellation_s = watch.seconds();
     result.counters = run->counters.rows();
     result.cycles = run->cycles;
+    result.busy = run->busy;
     result.simulated_ns = run->simulated_ns;
     finish(job, job.profile, *draws, run->triangles, check, progress, result);
     return result;

@@ -8,6 +8,7 @@
 #include "testbench/app/job.h"
 #include "testbench/host/mesh/mesh.h"
 #include "testbench/reference/leaf_mesh.h"
+#include "tlm/batch_time.h"
 
 namespace repousse::app {
 
@@ -29,11 +30,12 @@ struct ObjectResult {
 /// What a run gave.
 struct SimResult {
     std::vector<ObjectResult> objects;
-    std::vector<CounterRow> counters;  ///< summed over the objects
-    uint64_t table_bytes = 0;          ///< maps and tables that were made
-    uint64_t cycles = 0;               ///< of the device; 0 at level ref
-    double simulated_ns = 0;           ///< 0 at level ref
-    double tessellation_s = 0;         ///< wall time of the level's own work
+    std::vector<CounterRow> counters;   ///< summed over the objects
+    uint64_t table_bytes = 0;           ///< maps and tables that were made
+    uint64_t cycles = 0;                ///< of the device; 0 at level ref
+    std::vector<shell::UnitBusy> busy;  ///< cycles by unit; empty at level ref
+    double simulated_ns = 0;            ///< 0 at level ref
+    double tessellation_s = 0;          ///< wall time of the level's own work
 };
 
 /// Tessellates every object of the job at the level. `check` judges the result by the invariants.

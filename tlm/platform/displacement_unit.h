@@ -49,6 +49,7 @@ public:
     /// Sum over all frames since the last reset; for reports, not for drivers.
     AdaptiveCounters counters() const;
     uint64_t cycles() const { return cycles_; }
+    const BusyTable& busy() const { return triangle_stack_.busy(); }
 
     SC_HAS_PROCESS(DisplacementUnit);
 

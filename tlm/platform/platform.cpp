@@ -83,6 +83,8 @@ Result<PlatformResult> Platform::run(const std::vector<AdaptiveDraw<Fixed>>& dra
     result.triangles = modules_->driver.take_outputs();
     result.counters = modules_->device.counters();
     result.cycles = modules_->device.cycles();
+    const Span<const UnitBusy> busy = modules_->device.busy().rows();
+    result.busy.assign(busy.begin(), busy.end());
     result.simulated_ns = (sc_core::sc_time_stamp() - start).to_seconds() * 1e9;
     return result;
 }

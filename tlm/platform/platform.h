@@ -8,6 +8,7 @@
 #include "datapath/pipelines/adaptive_counters.h"
 #include "datapath/pipelines/contexts.h"
 #include "datapath/pipelines/draw.h"
+#include "tlm/batch_time.h"
 #include "tlm/config/device_config.h"
 
 namespace repousse::shell {
@@ -17,6 +18,7 @@ struct PlatformResult {
     std::vector<std::vector<OutputTriangle<Fixed>>> triangles;  ///< a list for each draw
     AdaptiveCounters counters;                                  ///< of this run
     uint64_t cycles = 0;                                        ///< of the device, in this run
+    std::vector<UnitBusy> busy;                                 ///< cycles by unit
     double simulated_ns = 0;                                    ///< upload and driver included
 };
 

@@ -35,6 +35,7 @@ bool TriangleStack::run(const Frame& frame) {
             fits = lanes.scatter(i, triangles_[i], result) && fits;
         }
         lanes.flush(frame.emit);
+        busy_.add(time.busy());
         frame.elapse(time.cycles(n, contexts_));
         time = {};
     }

@@ -33,12 +33,17 @@ public:
     /// Works until no triangle is left. False if a stack's bound was broken.
     bool run(const Frame& frame);
 
-    void reset() { peak_ = 0; }
-    uint64_t peak() const { return peak_; }  ///< most triangles that waited in one context
+    void reset() {
+        peak_ = 0;
+        busy_ = {};
+    }
+    uint64_t peak() const { return peak_; }          ///< most triangles that waited in one context
+    const BusyTable& busy() const { return busy_; }  ///< of all units, summed over the batches
 
 private:
     uint64_t contexts_;
     uint64_t peak_ = 0;
+    BusyTable busy_;
     std::vector<Triangle<Fixed>> triangles_;
     std::vector<Edge<Fixed>> edges_;
 };
