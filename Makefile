@@ -11,12 +11,13 @@ BUILD := build/release
 PROGRAM := $(BUILD)/bin/repousse
 MAKEFLAGS += --no-print-directory
 .DEFAULT_GOAL := help
-.PHONY: help run test bench asan format tidy clean
+.PHONY: help run test bench cosim asan format tidy clean
 
 help:
 	@echo "make run     build the program and simulate SCENE ($(SCENE)) into OUT ($(OUT))"
 	@echo "make test    build everything and run all tests, as CI does"
 	@echo "make bench   run the benchmarks; their tables go to docs/bench.md"
+	@echo "make cosim   the long co-simulation; its table goes to docs/cosim_results.md"
 	@echo "make asan    the tests under AddressSanitizer and UndefinedBehaviorSanitizer"
 	@echo "make format  clang-format over the sources"
 	@echo "make tidy    clang-tidy over the sources"
@@ -43,6 +44,12 @@ bench:
 	@cmake --build --preset release --target repousse bench -j $(JOBS)
 	@scenes/fetch.sh
 	@testbench/bench/run.sh $(BUILD)/bench docs/bench.md
+
+cosim:
+	@cmake/bootstrap.sh run test
+	@cmake --preset release
+	@cmake --build --preset release --target repousse -j $(JOBS)
+	@$(PROGRAM) cosim --exhaustive -o docs/cosim_results.md
 
 asan:
 	@cmake/bootstrap.sh run test

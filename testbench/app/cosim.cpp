@@ -11,6 +11,7 @@
 #include "testbench/cosim/engine_builder.h"
 #include "testbench/cosim/session.h"
 #include "testbench/cosim/vector_file.h"
+#include "testbench/host/files.h"
 #include "tlm/config/profile_reader.h"
 
 namespace repousse::app {
@@ -24,6 +25,7 @@ struct CosimOptions {
     cosim::Effort effort;
     uint64_t icarus_vectors = 100'000;
     bool exhaustive = false;
+    std::string output;
 };
 
 /// One line on stderr that is written over, if stderr is a terminal.
@@ -62,6 +64,22 @@ void print_head() {
                "compared", "mismatches", "vectors/s");
 }
 
+/// The same as a document: docs/cosim_results.md.
+std::string markdown(const CosimOptions& options, const std::vector<cosim::Outcome>& outcomes) {
+    std::string text = fmt::format(
+        "# Co-simulation, last measured\n\n"
+        "Written by `make cosim`. Profile {}, seed {}, {} % of the batches stalled, {} jobs.\n\n"
+        "| unit | engine | transactions | compared | mismatches | vectors/s |\n"
+        "|---|---|---|--:|--:|--:|\n",
+        options.profile, options.effort.seed, options.effort.stalled_percent, options.effort.jobs);
+    for (const cosim::Outcome& o : outcomes) {
+        text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", o.unit, o.engine, o.transactions,
+                            thousands(o.cases), thousands(o.mismatches),
+                            o.seconds > 0 ? rate(static_cast<double>(o.cases) / o.seconds) : "-");
+    }
+    return text;
+}
+
 /// The committed hard cases if they are of this profile, else the same cases made for it.
 Result<std::vector<cosim::Scenario>> hard_cases(const cosim::UnitModel& model, bool is_default) {
     if (!is_default) return model.hard_cases();
@@ -85,6 +103,10 @@ public:
         for (const std::string& unit : units()) {
             const Status done = run_unit(*cosim::make_unit_model(unit, *profile));
             if (!done) return done;
+        }
+        if (!options_.output.empty()) {
+            const Status written = host::write_file(options_.output, markdown(options_, outcomes_));
+            if (!written) return written;
         }
         if (first_mismatch_.empty()) return done();
         return Error{ErrorKind::Mismatch, {}, first_mismatch_, {}, {}};
@@ -135,6 +157,7 @@ private:
     void note(const cosim::Outcome& outcome) {
         progress_.show("");
         print_row(outcome);
+        outcomes_.push_back(outcome);
         if (outcome.mismatches == 0) return;
         fmt::print("  {}\n", outcome.first_mismatch);
         if (first_mismatch_.empty()) first_mismatch_ = outcome.first_mismatch;
@@ -142,6 +165,7 @@ private:
 
     CosimOptions options_;
     ProgressLine progress_;
+    std::vector<cosim::Outcome> outcomes_;
     std::string first_mismatch_;
 };
 
@@ -181,6 +205,7 @@ void add_cosim(CLI::App& root, Run& run) {
                      "threads for Verilator and the datapath; the results are the same")
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
+    command->add_option("-o,--output", options->output, "also write the table, as Markdown");
     command->callback(
         [options, &run] { run = [options] { return CosimCommand(*options).run(); }; });
 }
