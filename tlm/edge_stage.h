@@ -42,7 +42,7 @@ public:
 
 /// A place in the chain of edge stages: works on the batch, then passes it on. The last one in the
 /// chain has no successor. A place whose unit the frame does not use lets batches pass untouched.
-class EdgePlace : public sc_core::sc_module, private EdgeStage {
+class EdgePlace : public sc_core::sc_module, public EdgeStage {
 public:
     sc_core::sc_export<EdgeStage> in{"in"};
     sc_core::sc_port<EdgeStage, 1, sc_core::SC_ZERO_OR_MORE_BOUND> out{"out"};
@@ -79,7 +79,7 @@ private:
 };
 
 /// A unit's place in the chain that prepares base triangles.
-class BasePlace : private BaseStage {
+class BasePlace : public BaseStage {
 public:
     sc_core::sc_export<BaseStage> base_in{"base_in"};
     sc_core::sc_port<BaseStage, 1, sc_core::SC_ZERO_OR_MORE_BOUND> base_out{"base_out"};

@@ -15,7 +15,7 @@ namespace {
 
 // The registers lie above any memory that 40 address bits reach.
 constexpr uint64_t kDeviceBase = uint64_t(1) << 40;
-constexpr uint64_t kDeviceSize = 4 * kRegisterCount;
+constexpr uint64_t kDeviceSize = uint64_t(4) * kRegisterCount;
 
 }  // namespace
 
@@ -75,7 +75,7 @@ Result<Platform> Platform::create(const DeviceConfig& config,
 
 // The kernel returns when nothing is left to happen: the driver has everything and sleeps.
 Result<PlatformResult> Platform::run(const std::vector<AdaptiveDraw<Fixed>>& draws) {
-    const sc_core::sc_time start = sc_core::sc_time_stamp();
+    const sc_core::sc_time start(sc_core::sc_time_stamp());
     modules_->driver.start(draws);
     sc_core::sc_start();
     if (!modules_->driver.status()) return modules_->driver.status().error();

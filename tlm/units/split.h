@@ -10,7 +10,7 @@ namespace repousse::shell {
 /// Pass or Tessellate in the device: datapath/units/split.h with its timing. Its place in the
 /// chain decides the edges; once the new vertices are complete, the stack asks it for each
 /// triangle's children.
-class Split : public EdgePlace, private ChildrenSource {
+class Split : public EdgePlace, public ChildrenSource {
 public:
     sc_core::sc_export<ChildrenSource> children{"children"};
 
