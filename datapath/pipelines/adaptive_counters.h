@@ -5,13 +5,13 @@
 #include <string_view>
 #include <vector>
 
+#include "datapath/transaction.h"
 #include "datapath/units/bump.h"
 #include "datapath/units/displace.h"
 #include "datapath/units/edge_iter.h"
 #include "datapath/units/mid_vertex.h"
 #include "datapath/units/normal_test.h"
 #include "datapath/units/split.h"
-#include "datapath/units/transaction.h"
 #include "datapath/units/vertex_transform.h"
 
 namespace repousse {

@@ -7,8 +7,8 @@
 #include "datapath/items.h"
 #include "datapath/profile.h"
 #include "datapath/span.h"
+#include "datapath/transaction.h"
 #include "datapath/units/height_test_desc.h"
-#include "datapath/units/transaction.h"
 
 namespace repousse {
 

@@ -6,7 +6,8 @@ namespace repousse {
 
 template <class P>
 MidVertex<P>::MidVertex(const Profile& profile)
-    : to_unnormalised_(profile.normal.frac, profile.unnormalised),
+    : align_sum_(std::max(0, profile.unnormalised.frac - profile.normal.frac)),
+      to_unnormalised_(profile.normal.frac + align_sum_, profile.unnormalised),
       inverse_sqrt_(profile.inverse_sqrt_index_bits, profile.inverse_sqrt_newton_steps,
                     profile.inverse_sqrt_bits),
       normalise_(inverse_sqrt_, profile.normal) {}
@@ -25,7 +26,8 @@ void MidVertex<P>::topology(const Vertex<P>& v1, const Vertex<P>& v2, Vertex<P>&
 template <class P>
 Vec3<typename P::Value> MidVertex<P>::mean_direction(const Vec3<V>& a, const Vec3<V>& b) {
     const auto sum = [&](V x, V y) {
-        return P::quantize(to_unnormalised_, typename P::Wide(x) + y, counters_.overflows);
+        return P::quantize(to_unnormalised_, P::align(typename P::Wide(x) + y, align_sum_),
+                           counters_.overflows);
     };
     return normalise_({sum(a.x, b.x), sum(a.y, b.y), sum(a.z, b.z)}, counters_.degenerate);
 }

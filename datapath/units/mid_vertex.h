@@ -53,6 +53,7 @@ public:
 private:
     Vec3<V> mean_direction(const Vec3<V>& a, const Vec3<V>& b);
 
+    int align_sum_;  // to the fraction of `unnormalised`, so that the cast only clamps
     Cast to_unnormalised_;
     InverseSqrt inverse_sqrt_;
     typename P::Normalise normalise_;

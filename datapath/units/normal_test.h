@@ -6,7 +6,7 @@
 #include "datapath/numbers/policy.h"
 #include "datapath/profile.h"
 #include "datapath/span.h"
-#include "datapath/units/transaction.h"
+#include "datapath/transaction.h"
 
 namespace repousse {
 

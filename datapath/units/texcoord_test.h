@@ -5,8 +5,8 @@
 #include "datapath/items.h"
 #include "datapath/profile.h"
 #include "datapath/span.h"
+#include "datapath/transaction.h"
 #include "datapath/units/texcoord_test_desc.h"
-#include "datapath/units/transaction.h"
 
 namespace repousse {
 

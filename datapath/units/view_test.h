@@ -5,7 +5,7 @@
 #include "datapath/items.h"
 #include "datapath/profile.h"
 #include "datapath/span.h"
-#include "datapath/units/transaction.h"
+#include "datapath/transaction.h"
 #include "datapath/units/view_test_desc.h"
 
 namespace repousse {

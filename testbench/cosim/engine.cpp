@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "datapath/units/transaction.h"
+#include "datapath/transaction.h"
 
 namespace repousse::cosim {
 

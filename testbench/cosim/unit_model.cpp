@@ -1,6 +1,6 @@
 #include "testbench/cosim/unit_model.h"
 
-#include "datapath/units/transaction.h"
+#include "datapath/transaction.h"
 
 namespace repousse::cosim {
 
