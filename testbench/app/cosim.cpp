@@ -123,7 +123,7 @@ private:
         const auto path =
             cosim::build_engine(model.desc(), model.profile(), cosim::source_folder());
         if (!path) return path.error();
-        return cosim::Engine::open(*path, model.desc());
+        return cosim::Engine::open(*path, model.desc(), model.profile());
     }
 
     Status run_unit(const cosim::UnitModel& model) {
@@ -135,19 +135,21 @@ private:
         if (!hard) return hard.error();
         const Result<cosim::Engine> verilated = engine(model);
         if (!verilated) return verilated.error();
-        note(cosim::run_random(model, *verilated, *hard, options_.effort, report));
+        cosim::Effort effort = options_.effort;
+        effort.vectors /= model.weight();
+        note(cosim::run_random(model, *verilated, *hard, effort, report));
 
-        if (options_.exhaustive) {
-            const auto tiny = model.with(model.tiny_profile());
+        const auto tiny = model.with(model.tiny_profile());
+        if (options_.exhaustive && !tiny->exhaustive(0).inputs.empty()) {
             const Result<cosim::Engine> tiny_engine = engine(*tiny);
             if (!tiny_engine) return tiny_engine.error();
             note(cosim::run_exhaustive(*tiny, *tiny_engine, options_.effort, report));
         }
         if (options_.icarus_vectors > 0) {
             progress_.show(fmt::format("{}: Icarus", model.desc().name));
-            const Result<cosim::Outcome> replayed =
-                cosim::run_icarus(model, cosim::source_folder(), *hard, options_.icarus_vectors,
-                                  options_.effort.seed);
+            const Result<cosim::Outcome> replayed = cosim::run_icarus(
+                model, cosim::source_folder(), *hard,
+                options_.icarus_vectors / model.icarus_weight(), options_.effort.seed);
             if (!replayed) return replayed.error();
             note(*replayed);
         }
@@ -183,11 +185,14 @@ void add_cosim(CLI::App& root, Run& run) {
     const std::vector<std::string> names{cosim::rtl_units().begin(), cosim::rtl_units().end()};
     command->add_option("UNIT", options->units, "units to compare; all that have RTL by default")
         ->check(CLI::IsMember(names));
-    command->add_option("--vectors", options->effort.vectors, "random transactions a unit")
+    command
+        ->add_option("--vectors", options->effort.vectors,
+                     "random transactions a unit; a tenth of it where they are base triangles")
         ->capture_default_str();
     command
         ->add_option("--icarus", options->icarus_vectors,
-                     "random transactions a unit replayed in Icarus; 0: none")
+                     "random transactions a unit replayed in Icarus, fewer where they are base "
+                     "triangles; 0: none")
         ->capture_default_str();
     command->add_flag("--exhaustive", options->exhaustive,
                       "also every transaction of a tiny profile");

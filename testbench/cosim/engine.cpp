@@ -4,11 +4,12 @@
 
 #include <string>
 
-#include "datapath/transaction.h"
+#include "testbench/cosim/parameters.h"
 
 namespace repousse::cosim {
 
-Result<Engine> Engine::open(const std::filesystem::path& path, const UnitDesc& desc) {
+Result<Engine> Engine::open(const std::filesystem::path& path, const UnitDesc& desc,
+                            const Profile& profile) {
     const auto refuse = [&path](std::string what, std::string expected) {
         return Error{ErrorKind::Environment, path.string(), std::move(what), std::move(expected),
                      "rebuild it with: repousse cosim"};
@@ -29,9 +30,10 @@ Result<Engine> Engine::open(const std::filesystem::path& path, const UnitDesc& d
     if (api->unit != desc.name) {
         return refuse("an engine of " + std::string(api->unit), std::string(desc.name));
     }
-    if (api->configs != port_count(desc, PortKind::Config) ||
-        api->inputs != port_count(desc, PortKind::Input) ||
-        api->outputs != port_count(desc, PortKind::Output)) {
+    if (api->configs != port_words(desc, PortKind::Config, profile).size() ||
+        api->inputs != port_words(desc, PortKind::Input, profile).size() ||
+        api->outputs != port_words(desc, PortKind::Output, profile).size() ||
+        api->last != last_word(desc, profile)) {
         return refuse("other ports than the unit's description", std::string(desc.name) + "'s");
     }
     return Engine(object, api);
@@ -66,14 +68,14 @@ const char* outcome_text(RepousseOutcome outcome) {
         case kRepousseRefused:
             return "the unit refused an answer of its read port";
         case kRepousseExcess:
-            return "more transactions came out than went in";
+            return "more beats came out than the transactions have";
     }
     return "an unknown outcome";
 }
 
 RepousseBatch plain_batch(uint64_t count, const int64_t* in, int64_t* out) {
     RepousseBatch batch{};
-    batch.count = count;
+    batch.count = batch.capacity = count;
     batch.in = in;
     batch.out = out;
     batch.source = batch.sink = batch.requests = batch.responses = {100, 1};

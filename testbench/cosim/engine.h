@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "datapath/error.h"
+#include "datapath/profile.h"
 #include "datapath/unit_desc.h"
 #include "tlm/engine.h"
 
@@ -21,8 +22,9 @@ struct Table {
 class Engine {
 public:
     /// Opens a shared object and checks that it is an engine of this interface's version, for this
-    /// unit, with this many ports.
-    static Result<Engine> open(const std::filesystem::path& path, const UnitDesc& desc);
+    /// unit, with this many words. Only units with vector ports need the profile for that.
+    static Result<Engine> open(const std::filesystem::path& path, const UnitDesc& desc,
+                               const Profile& profile = {});
 
     const RepousseEngine& api() const { return *api_; }
 
@@ -57,7 +59,7 @@ private:
 /// What an outcome means, in words.
 const char* outcome_text(RepousseOutcome outcome);
 
-/// A batch with all paces full and no times, to be filled in.
+/// A batch with all paces full and no times, to be filled in; `out` has room for a beat an item.
 RepousseBatch plain_batch(uint64_t count, const int64_t* in, int64_t* out);
 
 }  // namespace repousse::cosim

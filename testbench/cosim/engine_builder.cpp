@@ -173,23 +173,45 @@ fs::path cache_folder() {
     return environment("REPOUSSE_CACHE_DIR", home + "/.cache/repousse");
 }
 
-Result<std::vector<std::string>> rtl_files(const fs::path& root, const UnitDesc& desc) {
+namespace {
+
+/// The files of rtl/common and of a unit, or of a top and its units, that end in `extension`.
+Result<Words> files_of(const fs::path& root, const UnitDesc& desc, const char* extension) {
+    const auto of_a_unit = [&](const std::string& name) {
+        return desc.parts.empty()
+                   ? name.rfind(desc.name, 0) == 0
+                   : std::any_of(desc.parts.begin(), desc.parts.end(),
+                                 [&](std::string_view part) { return name.rfind(part, 0) == 0; });
+    };
     Words files;
-    for (const char* folder : {"rtl/common", "rtl/units"}) {
+    for (const char* folder : {"rtl/common", "rtl/units", "rtl/tops"}) {
+        if (folder == std::string("rtl/tops") && desc.parts.empty()) continue;
         std::error_code error;
         fs::directory_iterator entries(root / folder, error);
         if (error) return unreadable(root / folder);
         for (const fs::directory_entry& entry : entries) {
             const std::string name = entry.path().filename().string();
             const bool wanted =
-                folder == std::string("rtl/common") || name.rfind(desc.name, 0) == 0;
-            if (wanted && entry.path().extension() == ".sv") {
+                folder == std::string("rtl/common") ||
+                (folder == std::string("rtl/units") ? of_a_unit(name)
+                                                    : name.rfind(desc.name, 0) == 0);
+            if (wanted && entry.path().extension() == extension) {
                 files.push_back(std::string(folder) + "/" + name);
             }
         }
     }
     std::sort(files.begin(), files.end());
     return files;
+}
+
+}  // namespace
+
+std::string rtl_folder(const UnitDesc& desc) {
+    return desc.parts.empty() ? "rtl/units" : "rtl/tops";
+}
+
+Result<std::vector<std::string>> rtl_files(const fs::path& root, const UnitDesc& desc) {
+    return files_of(root, desc, ".sv");
 }
 
 Result<fs::path> build_engine(const UnitDesc& desc, const Profile& profile, const fs::path& root) {
@@ -204,8 +226,9 @@ Result<fs::path> build_engine(const UnitDesc& desc, const Profile& profile, cons
     hash.add(tools->verilator_version);
     for (const Parameter& p : parameters(desc, profile))
         hash.add(fmt::format("{}={}", p.name, p.value));
-    const std::string params = fmt::format("rtl/units/{}_params.svh", desc.name);
-    for (const std::string& name : *sources + Words{params}) {
+    const Result<Words> headers = files_of(root, desc, ".svh");
+    if (!headers) return headers.error();
+    for (const std::string& name : *sources + *headers) {
         const Result<std::string> text = read_text(root / name);
         if (!text) return text.error();
         hash.add(name);
@@ -215,7 +238,7 @@ Result<fs::path> build_engine(const UnitDesc& desc, const Profile& profile, cons
     for (const std::string& name :
          Words{"tlm/engine.h", "testbench/cosim/random.h", "testbench/cosim/harness/harness.h",
                "testbench/cosim/harness/pacer.h", "testbench/cosim/harness/read_port.h",
-               unit_harness}) {
+               "testbench/cosim/harness/sweep_line_inputs.h", unit_harness}) {
         const Result<std::string> text = read_text(source_folder() / name);
         if (!text) return text.error();
         hash.add(*text);

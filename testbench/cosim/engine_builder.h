@@ -16,8 +16,11 @@ std::filesystem::path source_folder();
 /// Where engines are kept: $REPOUSSE_CACHE_DIR, or ~/.cache/repousse.
 std::filesystem::path cache_folder();
 
+/// Where a unit's RTL lies: rtl/units, or rtl/tops for a top made of units.
+std::string rtl_folder(const UnitDesc& desc);
+
 /// The RTL files of a unit below `root`, as paths relative to it: rtl/common, and every file of
-/// rtl/units whose name begins with the unit's.
+/// rtl/units whose name begins with the unit's; for a top, that of its units, and its own.
 Result<std::vector<std::string>> rtl_files(const std::filesystem::path& root, const UnitDesc& desc);
 
 /// Makes a unit's RTL below `root` into an engine for a profile, with Verilator and a C++ compiler

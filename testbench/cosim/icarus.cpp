@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <sstream>
@@ -10,6 +11,7 @@
 #include "testbench/cosim/scoreboard.h"
 #include "testbench/cosim/session.h"
 #include "testbench/cosim/vector_file.h"
+#include "testbench/cosim/vector_line.h"
 
 namespace repousse::cosim {
 namespace {
@@ -42,7 +44,8 @@ private:
 /// What the replay printed.
 struct Transcript {
     struct Line {
-        uint64_t index, cycle, got;
+        uint64_t index, cycle;  // of a beat
+        std::string expected, got;
     };
     std::vector<Line> mismatches;  // the first hundred
     uint64_t cases = 0;
@@ -50,10 +53,16 @@ struct Transcript {
     bool finished = false;
 };
 
-/// Unknown bits (x) count as the opposite of what was expected, so that they show.
-uint64_t parse_bits(const std::string& text, uint64_t expected) {
-    const bool known = text.find_first_not_of("0123456789abcdef") == std::string::npos;
-    return known ? std::strtoull(text.c_str(), nullptr, 16) : ~expected;
+/// A line's digits; where bits are unknown (x), others than expected, so that they show.
+std::string known_digits(const Transcript::Line& line, std::size_t digits) {
+    std::string got = line.got, expected = line.expected;
+    got.insert(0, digits - std::min(digits, got.size()), '0');
+    expected.insert(0, digits - std::min(digits, expected.size()), '0');
+    for (std::size_t i = 0; i < digits; ++i) {
+        const bool known = std::string("0123456789abcdef").find(got[i]) != std::string::npos;
+        if (!known) got[i] = expected[i] == '0' ? 'f' : '0';
+    }
+    return got;
 }
 
 Transcript parse(const std::string& output) {
@@ -65,9 +74,7 @@ Transcript parse(const std::string& output) {
         words >> kind;
         if (kind == "mismatch") {
             Transcript::Line m{};
-            std::string expected, got;
-            words >> m.index >> m.cycle >> expected >> got;
-            m.got = parse_bits(got, std::strtoull(expected.c_str(), nullptr, 16));
+            words >> m.index >> m.cycle >> m.expected >> m.got;
             transcript.mismatches.push_back(m);
         } else if (kind == "done") {
             uint64_t cycles = 0;
@@ -81,28 +88,26 @@ Transcript parse(const std::string& output) {
 /// Puts the reported mismatches into a scoreboard, with the transactions they belong to.
 void score(const UnitModel& model, const std::vector<Recorded>& recorded,
            const Transcript& transcript, Scoreboard& scoreboard) {
-    uint64_t first = 0;
+    const std::vector<Field> fields = fields_of(line_fields(model), FieldKind::Output);
+    const int width = line_width(fields);
+    uint64_t first = 0, first_beat = 0;
     std::size_t next = 0;
     for (const Recorded& r : recorded) {
-        const uint64_t count = model.count(r.scenario);
+        const uint64_t beats = r.outputs.size() / fields.size();
         std::vector<int64_t> engine = r.outputs;
-        std::vector<uint64_t> depart(count, 0);
+        std::vector<uint64_t> depart(beats, 0);
         for (; next < transcript.mismatches.size(); ++next) {
             const Transcript::Line& m = transcript.mismatches[next];
-            if (m.index >= first + count) break;
-            // The outputs of a line, last field in the low bits.
-            uint64_t bits = m.got;
-            const std::vector<const Port*> ports = ports_of(model.desc(), PortKind::Output);
-            for (std::size_t k = ports.size(); k-- > 0;) {
-                const Format format = port_format(*ports[k], model.profile());
-                engine[(m.index - first) * ports.size() + k] =
-                    field_word(field_bits(static_cast<int64_t>(bits), format), format);
-                bits >>= format.width;
-            }
-            depart[m.index - first] = m.cycle;
+            if (m.index >= first_beat + beats) break;
+            const std::string digits = known_digits(m, line_digits(width));
+            LineUnpacker unpacker(digits, width);
+            int64_t* word = &engine[(m.index - first_beat) * fields.size()];
+            for (const Field& field : fields) *word++ = unpacker.take(field.format);
+            depart[m.index - first_beat] = m.cycle;
         }
         scoreboard.compare(r.scenario, first, engine, r.outputs, depart.data());
-        first += count;
+        first += model.count(r.scenario);
+        first_beat += beats;
     }
 }
 
@@ -146,11 +151,12 @@ Result<Outcome> run_icarus(const UnitModel& model, const fs::path& root,
                      "-o",
                      (work.path() / "replay.vvp").string(),
                      fmt::format("-P{}.COUNT={}", top, sizes->lines)};
+    if (sizes->beats != 0) command.push_back(fmt::format("-P{}.BEATS={}", top, sizes->beats));
     if (sizes->entries != 0) command.push_back(fmt::format("-P{}.ENTRIES={}", top, sizes->entries));
     for (const Parameter& p : parameters(model.desc(), model.profile())) {
         command.push_back(fmt::format("-P{}.{}={}", top, p.name, p.value));
     }
-    for (const char* file : {"replay_stream.sv", "replay_memory.sv"}) {
+    for (const char* file : {"replay_stream.sv", "replay_beats.sv", "replay_memory.sv"}) {
         command.push_back((replay / file).string());
     }
     command.push_back((replay / (top + ".sv")).string());
@@ -159,7 +165,7 @@ Result<Outcome> run_icarus(const UnitModel& model, const fs::path& root,
     if (!compiled) return compiled.error();
     const Result<std::string> output =
         run_checked({"vvp", "-n", "replay.vvp", "+vectors=replay.vec", "+tables=replay.tables",
-                     fmt::format("+seed={}", seed)},
+                     "+beats=replay.beats", fmt::format("+seed={}", seed)},
                     work.path());
     if (!output) return output.error();
 

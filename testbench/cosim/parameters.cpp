@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 
@@ -13,6 +14,11 @@ const ProfileEntry* find_entry(std::string_view key) {
         if (entry.key == key) return &entry;
     }
     return nullptr;
+}
+
+int integer_value(std::string_view key, const Profile& profile, int without) {
+    const ProfileEntry* entry = key.empty() ? nullptr : find_entry(key);
+    return entry == nullptr || entry->integer == nullptr ? without : profile.*entry->integer;
 }
 
 std::string upper_case(std::string_view key) {
@@ -44,14 +50,16 @@ std::vector<Parameter> parameters(const UnitDesc& desc, const Profile& profile) 
 
 Format port_format(const Port& port, const Profile& profile) {
     Format format;
-    format.width = port.extra_bits;
+    format.width = port.extra_bits + integer_value(port.growth_key, profile, 0);
     format.frac = 0;
-    format.is_signed = false;
+    format.is_signed = !port.is_unsigned;
     const ProfileEntry* entry = port.key.empty() ? nullptr : find_entry(port.key);
     if (entry == nullptr) return format;
     if (entry->format != nullptr) {
         const Format& of_key = profile.*entry->format;
-        format.width += of_key.width;
+        const ProfileEntry* other = port.other_key.empty() ? nullptr : find_entry(port.other_key);
+        const int other_width = other == nullptr ? 0 : (profile.*other->format).width;
+        format.width += std::max(of_key.width, other_width);
         format.frac = of_key.frac;
         format.is_signed = of_key.is_signed && !port.is_unsigned;
     } else {
@@ -75,12 +83,33 @@ std::string field_text(int64_t word, const Format& format) {
     return fmt::format("{:#x} ({})", field_bits(word, format), value);
 }
 
-std::vector<const Port*> ports_of(const UnitDesc& desc, PortKind kind) {
-    std::vector<const Port*> list;
+int port_elements(const Port& port, const Profile& profile) {
+    return integer_value(port.count_key, profile, 1);
+}
+
+std::vector<PortWord> port_words(const UnitDesc& desc, PortKind kind, const Profile& profile) {
+    std::vector<PortWord> list;
     for (const Port& port : desc.ports) {
-        if (port.kind == kind) list.push_back(&port);
+        if (port.kind != kind) continue;
+        const std::string name(port.name);
+        const Format format = port_format(port, profile);
+        if (port.count_key.empty()) {
+            list.push_back({name, format});
+            continue;
+        }
+        for (int i = port_elements(port, profile); i-- > 0;) {
+            list.push_back({fmt::format("{}[{}]", name, i), format});
+        }
     }
     return list;
+}
+
+int last_word(const UnitDesc& desc, const Profile& profile) {
+    const std::vector<PortWord> words = port_words(desc, PortKind::Output, profile);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (!desc.last_beat.empty() && words[i].name == desc.last_beat) return static_cast<int>(i);
+    }
+    return -1;
 }
 
 }  // namespace repousse::cosim

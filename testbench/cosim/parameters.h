@@ -32,7 +32,19 @@ int64_t field_word(uint64_t bits, const Format& format);
 /// `0x1a (1.625)`: the bits on the port and the value in the field's own unit.
 std::string field_text(int64_t word, const Format& format);
 
-/// The ports of one kind, in order.
-std::vector<const Port*> ports_of(const UnitDesc& desc, PortKind kind);
+/// One word of a transaction: a scalar port, or an element of a vector port.
+struct PortWord {
+    std::string name;  ///< the port's, with `[i]` behind it for an element
+    Format format;
+};
+
+/// The words of the ports of one kind, in order.
+std::vector<PortWord> port_words(const UnitDesc& desc, PortKind kind, const Profile& profile);
+
+/// The elements of a port: 1 for a scalar.
+int port_elements(const Port& port, const Profile& profile);
+
+/// The output word that is set in an item's last beat; -1 if each item is one beat.
+int last_word(const UnitDesc& desc, const Profile& profile);
 
 }  // namespace repousse::cosim

@@ -16,12 +16,16 @@ public:
         : model_(&model), source_(std::move(source)) {}
 
     /// Transactions `first`, `first` + 1, ... of the run; `depart` (may be null) are the cycles in
-    /// which they left the unit.
+    /// which their beats left the unit. Both output lists are whole beats; the engine's may be
+    /// shorter. An item with a wrong beat is one mismatch.
     void compare(const Scenario& scenario, uint64_t first, const std::vector<int64_t>& engine,
                  const std::vector<int64_t>& datapath, const uint64_t* depart);
 
     /// The engine broke the protocol while transactions from `first` on were in it.
     void broken(const Scenario& scenario, uint64_t first, const std::string& what);
+
+    /// The items of which the last beat is among these.
+    uint64_t items_in(const std::vector<int64_t>& beats) const;
 
     /// Adds another scoreboard's counts, and keeps the earlier first mismatch.
     void merge(const Scoreboard& other);

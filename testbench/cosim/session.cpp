@@ -14,8 +14,6 @@
 namespace repousse::cosim {
 namespace {
 
-constexpr std::size_t kBatch = 4096;  // long against any pipeline, small against a cache
-
 /// Gaps and stalls that between them have found every wrong latency, capacity and backward latency
 /// that was tried (decisions/timing.md, section 4): {source, sink} percent and the burst length.
 struct Stalls {
@@ -34,9 +32,13 @@ public:
     /// `first` numbers the transactions; `stalls` is null for a run at full speed.
     void run(const Scenario& scenario, uint64_t first, Random& random, const Stalls* stalls) {
         const std::size_t count = model_->count(scenario);
-        engine_outputs_.assign(count * model_->outputs(), -1);
-        depart_.resize(count);
+        model_->evaluate(scenario, datapath_outputs_);
+        engine_outputs_.assign(datapath_outputs_.size(), -1);
+        depart_.resize(datapath_outputs_.size() / model_->outputs());
         RepousseBatch batch = plain_batch(count, scenario.inputs.data(), engine_outputs_.data());
+        uint64_t beats = 0;
+        batch.capacity = depart_.size();
+        batch.beats = &beats;
         batch.depart = depart_.data();
         batch.seed = random.next();
         uint32_t latency = 1;
@@ -51,12 +53,13 @@ public:
         }
         instance_.configure(scenario.config, scenario.table.get(), latency);
         const RepousseOutcome outcome = instance_.run(batch);
-        if (outcome != kRepousseDone) {
-            scoreboard_.broken(scenario, first, outcome_text(outcome));
-            return;
-        }
-        model_->evaluate(scenario, datapath_outputs_);
+        // Beats that came out before something went wrong tell more than that it did.
+        engine_outputs_.resize(beats * model_->outputs());
         scoreboard_.compare(scenario, first, engine_outputs_, datapath_outputs_, depart_.data());
+        if (outcome != kRepousseDone) {
+            scoreboard_.broken(scenario, first + scoreboard_.items_in(engine_outputs_),
+                               outcome_text(outcome));
+        }
     }
 
     UnitModel& model() { return *model_; }
@@ -152,10 +155,11 @@ Outcome run_random(const UnitModel& model, const Engine& engine,
             }
             return std::max<uint64_t>(hard, 1);
         }
-        const uint64_t from = (n - 1) * kBatch;
+        const std::size_t batch = worker.model().batch();
+        const uint64_t from = (n - 1) * batch;
         if (from >= effort.vectors) return 0;
         const auto count =
-            static_cast<std::size_t>(std::min<uint64_t>(kBatch, effort.vectors - from));
+            static_cast<std::size_t>(std::min<uint64_t>(batch, effort.vectors - from));
         const bool stalled = random.percent(effort.stalled_percent);
         const Stalls& stalls = kStalls[random.below(kStalls.size())];
         worker.run(worker.model().random(random, count), hard + from, random,

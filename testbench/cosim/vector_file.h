@@ -23,6 +23,7 @@ std::vector<Recorded> record(UnitModel& model, std::vector<Scenario> scenarios);
 struct VectorSizes {
     uint64_t lines = 0;    ///< transactions
     uint64_t entries = 0;  ///< of all tables
+    uint64_t beats = 0;    ///< in a .beats file
 };
 
 /// Writes NAME.vec, and NAME.tables beside it for units with a read port. Both can be read by
@@ -34,6 +35,9 @@ struct VectorSizes {
 /// unit, the schema's version, the seed, the hash of the profile entries that the unit uses, and
 /// the fields with their formats; `// table FIRST W H` describes a table, `// case NAME` begins a
 /// case. The .tables file has one entry a line.
+///
+/// Where an item may leave as several beats, the outputs stand in NAME.beats, a beat a line without
+/// leading zeros, item after item; an item's last beat is marked by its field.
 Result<VectorSizes> write_vectors(const std::filesystem::path& path, const UnitModel& model,
                                   const std::vector<Recorded>& recorded, uint64_t seed);
 
@@ -45,7 +49,8 @@ Result<std::vector<Recorded>> read_vectors(const std::filesystem::path& path,
 /// The hash of the profile entries that a unit uses, as the header has it.
 uint64_t parameter_hash(const UnitModel& model);
 
-/// The file of a .vec file's tables.
+/// The files of a .vec file's tables and beats.
 std::filesystem::path tables_path(std::filesystem::path path);
+std::filesystem::path beats_path(std::filesystem::path path);
 
 }  // namespace repousse::cosim

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "testbench/cosim/parameters.h"
 
 namespace repousse::cosim {
@@ -21,12 +23,12 @@ std::string Field::header() const {
 std::vector<Field> line_fields(const UnitModel& model) {
     std::vector<Field> fields;
     const auto add = [&](FieldKind kind, PortKind ports) {
-        for (const Port* port : ports_of(model.desc(), ports)) {
+        for (const PortWord& word : port_words(model.desc(), ports, model.profile())) {
             // Modes do not matter to an integer that is written and read.
-            Format format = port_format(*port, model.profile());
+            Format format = word.format;
             format.quantization = {};
             format.overflow = {};
-            fields.push_back({kind, std::string(port->name), format});
+            fields.push_back({kind, word.name, format});
         }
     };
     add(FieldKind::Config, PortKind::Config);
@@ -47,6 +49,14 @@ int line_width(const std::vector<Field>& fields) {
     return width;
 }
 
+std::vector<Field> fields_of(const std::vector<Field>& fields, FieldKind kind) {
+    std::vector<Field> list;
+    for (const Field& field : fields) {
+        if (field.kind == kind) list.push_back(field);
+    }
+    return list;
+}
+
 std::size_t line_digits(int width) { return static_cast<std::size_t>((width + 3) / 4); }
 
 LinePacker::LinePacker(int width) : bits_(padding(width), false) {}
@@ -62,6 +72,11 @@ std::string LinePacker::text() const {
         digits += "0123456789abcdef"[digit];
     }
     return digits;
+}
+
+std::string LinePacker::short_text() const {
+    const std::string digits = text();
+    return digits.substr(std::min(digits.find_first_not_of('0'), digits.size() - 1));
 }
 
 LineUnpacker::LineUnpacker(const std::string& digits, int width)

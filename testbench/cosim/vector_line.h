@@ -22,11 +22,12 @@ struct Field {
 };
 
 /// The fields of a unit's lines, most significant first: registers, the place of the table (units
-/// with a read port), inputs, outputs.
+/// with a read port), inputs, outputs. An element of a vector port is a field.
 std::vector<Field> line_fields(const UnitModel& model);
 
-/// Bits of all fields together, and hexadecimal digits of a line.
+/// Bits of all fields together, those of a kind, and hexadecimal digits of a line.
 int line_width(const std::vector<Field>& fields);
+std::vector<Field> fields_of(const std::vector<Field>& fields, FieldKind kind);
 std::size_t line_digits(int width);
 
 /// The largest place of a table's first entry.
@@ -38,6 +39,7 @@ public:
     explicit LinePacker(int width);
     void add(int64_t word, const Format& format);
     std::string text() const;
+    std::string short_text() const;  ///< without leading zeros, but for one digit
 
 private:
     std::vector<bool> bits_;

@@ -23,17 +23,20 @@ public:
         : path_(path),
           model_(model),
           fields_(line_fields(model)),
-          width_(line_width(fields_)),
+          outputs_(fields_of(fields_, FieldKind::Output)),
+          width_(line_width(fields_) - (model.last() < 0 ? 0 : line_width(outputs_))),
           digits_(line_digits(width_)) {}
 
     Result<std::vector<Recorded>> read() {
         std::ifstream file(path_);
-        if (!file) {
-            return Error{ErrorKind::Input, path_.string(), "cannot be read", {}, kHowToMake};
-        }
+        if (!file) return missing(path_);
         if (model_.reads_table()) {
             const Status entries = read_entries();
             if (!entries) return entries.error();
+        }
+        if (model_.last() >= 0) {
+            beats_.open(beats_path(path_));
+            if (!beats_) return missing(beats_path(path_));
         }
         for (std::string line; std::getline(file, line);) {
             ++number_;
@@ -45,6 +48,10 @@ public:
     }
 
 private:
+    static Error missing(const fs::path& path) {
+        return {ErrorKind::Input, path.string(), "cannot be read", {}, kHowToMake};
+    }
+
     Error wrong(std::string what, std::string expected) const {
         return {ErrorKind::Input, fmt::format("{}:{}:1", path_.string(), std::max(number_, 1)),
                 std::move(what), std::move(expected), kHowToMake};
@@ -117,18 +124,46 @@ private:
         Scenario now{case_, {}, nullptr, {}};
         std::vector<int64_t> outputs;
         for (const Field& field : fields_) {
+            if (field.kind == FieldKind::Output) break;
             const int64_t word = unpacker.take(field.format);
             if (field.kind == FieldKind::Config) now.config.push_back(word);
             if (field.kind == FieldKind::Input) now.inputs.push_back(word);
-            if (field.kind == FieldKind::Output) outputs.push_back(word);
             if (field.kind == FieldKind::Table) {
                 const auto found = tables_.find(word);
                 if (found == tables_.end()) return wrong("an unknown table", "one of the header's");
                 now.table = found->second;
             }
         }
+        if (model_.last() < 0) {
+            for (const Field& field : outputs_) outputs.push_back(unpacker.take(field.format));
+        } else {
+            const Status taken = read_beats(outputs);
+            if (!taken) return taken.error();
+        }
         append(std::move(now), outputs);
         return done();
+    }
+
+    /// The beats of one item.
+    Status read_beats(std::vector<int64_t>& outputs) {
+        const int width = line_width(outputs_);
+        const std::size_t digits = line_digits(width);
+        for (std::string line; std::getline(beats_, line);) {
+            ++beat_number_;
+            if (line.empty() || line.size() > digits ||
+                line.find_first_not_of("0123456789abcdef") != std::string::npos) {
+                return Error{ErrorKind::Input,
+                             fmt::format("{}:{}:1", beats_path(path_).string(), beat_number_),
+                             "\"" + line + "\"",
+                             fmt::format("at most {} hexadecimal digits", digits), kHowToMake};
+            }
+            line.insert(0, digits - line.size(), '0');
+            LineUnpacker unpacker(line, width);
+            const std::size_t beat = outputs.size();
+            for (const Field& field : outputs_) outputs.push_back(unpacker.take(field.format));
+            if (model_.ends_item(&outputs[beat])) return done();
+        }
+        return wrong("no more beats", "a beat that ends the item in the .beats file");
     }
 
     /// Transactions under one setting of the registers stay together.
@@ -147,10 +182,12 @@ private:
 
     fs::path path_;
     const UnitModel& model_;
-    std::vector<Field> fields_;
+    std::vector<Field> fields_, outputs_;
     int width_;
     std::size_t digits_;
-    int number_ = 0;              // of the line being read
+    int number_ = 0;  // of the line being read
+    std::ifstream beats_;
+    int beat_number_ = 0;
     std::size_t next_field_ = 0;  // of the header
     std::string case_;
     std::vector<uint64_t> entries_;

@@ -14,8 +14,11 @@ namespace fs = std::filesystem;
 /// Puts a vector file together in memory.
 class Writer {
 public:
-    Writer(const UnitModel& model, uint64_t seed)
-        : model_(model), fields_(line_fields(model)), width_(line_width(fields_)) {
+    Writer(const UnitModel& model, uint64_t seed) : model_(model), fields_(line_fields(model)) {
+        // What a line holds: all fields, or all but the outputs.
+        const int outputs = line_width(fields_of(fields_, FieldKind::Output));
+        beat_width_ = outputs;
+        width_ = line_width(fields_) - (model.last() < 0 ? 0 : outputs);
         header_ = "// repousse vectors\n";
         header_ += fmt::format("// unit {}\n// schema 1\n// seed {}\n", model.desc().name, seed);
         header_ += fmt::format("// parameters {:016x}\n", parameter_hash(model));
@@ -34,10 +37,14 @@ public:
         const int64_t* out = recorded.outputs.data();
         for (std::size_t i = 0; i < model_.count(s); ++i) {
             LinePacker line(width_);
-            auto field = fields_.begin();
+            auto field = fields_.cbegin();
             for (const int64_t word : registers) line.add(word, (field++)->format);
             for (std::size_t k = 0; k < model_.inputs(); ++k) line.add(*in++, (field++)->format);
-            for (std::size_t k = 0; k < model_.outputs(); ++k) line.add(*out++, (field++)->format);
+            if (model_.last() < 0) {
+                for (; field != fields_.end(); ++field) line.add(*out++, field->format);
+            } else {
+                add_beats(out, field);
+            }
             lines_ += line.text() + '\n';
             ++sizes_.lines;
         }
@@ -45,9 +52,23 @@ public:
 
     std::string text() const { return header_ + lines_; }
     const std::string& tables() const { return tables_; }
+    const std::string& beats() const { return beats_; }
     const VectorSizes& sizes() const { return sizes_; }
 
 private:
+    /// The beats of one item; `outputs` is the first output field.
+    void add_beats(const int64_t*& out, std::vector<Field>::const_iterator outputs) {
+        for (bool ends = false; !ends;) {
+            ends = model_.ends_item(out);
+            LinePacker line(beat_width_);
+            for (auto field = outputs; field != fields_.end(); ++field) {
+                line.add(*out++, field->format);
+            }
+            beats_ += line.short_text() + '\n';
+            ++sizes_.beats;
+        }
+    }
+
     /// Where a table's first entry stands; tables are written once, when they are first used.
     uint64_t place(const Table& table) {
         const auto [found, is_new] = places_.try_emplace(&table, sizes_.entries);
@@ -66,9 +87,10 @@ private:
 
     const UnitModel& model_;
     std::vector<Field> fields_;
-    int width_;
+    int width_ = 0;
+    int beat_width_ = 0;
     Format entry_;
-    std::string header_, lines_, tables_, case_;
+    std::string header_, lines_, tables_, beats_, case_;
     std::map<const Table*, uint64_t> places_;
     VectorSizes sizes_;
 };
@@ -94,6 +116,8 @@ uint64_t parameter_hash(const UnitModel& model) {
 
 fs::path tables_path(fs::path path) { return path.replace_extension(".tables"); }
 
+fs::path beats_path(fs::path path) { return path.replace_extension(".beats"); }
+
 std::vector<Recorded> record(UnitModel& model, std::vector<Scenario> scenarios) {
     std::vector<Recorded> recorded;
     for (Scenario& scenario : scenarios) {
@@ -112,6 +136,10 @@ Result<VectorSizes> write_vectors(const fs::path& path, const UnitModel& model,
     }
     if (model.reads_table()) {
         const Status written = write_whole(tables_path(path), writer.tables());
+        if (!written) return written.error();
+    }
+    if (model.last() >= 0) {
+        const Status written = write_whole(beats_path(path), writer.beats());
         if (!written) return written.error();
     }
     const Status written = write_whole(path, writer.text());

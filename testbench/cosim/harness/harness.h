@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <new>
+#include <type_traits>
 
 #include "testbench/cosim/harness/pacer.h"
 #include "testbench/cosim/harness/read_port.h"
@@ -23,12 +24,75 @@ constexpr uint64_t bits(int64_t word) {
     return static_cast<uint64_t>(word) & (~uint64_t(0) >> (64 - width));
 }
 
+/// Writes a vector port: `count` words, the last element first, of `width` bits each.
+template <int width, class Vector>
+void drive_vector(Vector& port, const int64_t* words, int count) {
+    if constexpr (std::is_integral_v<Vector>) {
+        uint64_t all = 0;
+        for (int i = 0; i < count; ++i)
+            all = (width < 64 ? all << width : 0) | bits<width>(words[i]);
+        port = static_cast<Vector>(all);
+    } else {
+        for (int i = 0; i < (count * width + 31) / 32; ++i) port[i] = 0;
+        for (int i = 0; i < count; ++i) {
+            const uint64_t word = bits<width>(words[count - 1 - i]);
+            const int at = i * width % 32;
+            uint32_t* to = &port[i * width / 32];
+            to[0] |= static_cast<uint32_t>(word << at);
+            if (at + width > 32) to[1] |= static_cast<uint32_t>(word >> (32 - at));
+            if (at + width > 64) to[2] |= static_cast<uint32_t>(word >> (64 - at));
+        }
+    }
+}
+
+/// Reads a vector port likewise, sign-extended if `is_signed`.
+template <int width, bool is_signed, class Vector>
+void sample_vector(const Vector& port, int64_t* words, int count) {
+    for (int i = 0; i < count; ++i) {
+        uint64_t word = 0;
+        if constexpr (std::is_integral_v<Vector>) {
+            word = static_cast<uint64_t>(port) >> (i * width);
+        } else {
+            const int at = i * width % 32;
+            const uint32_t* from = &port[i * width / 32];
+            word = from[0] >> at;
+            if (at + width > 32) word |= static_cast<uint64_t>(from[1]) << (32 - at);
+            if (at + width > 64) word |= static_cast<uint64_t>(from[2]) << (64 - at);
+        }
+        const uint64_t raised = word << (64 - width);
+        words[count - 1 - i] = is_signed ? static_cast<int64_t>(raised) >> (64 - width)
+                                         : static_cast<int64_t>(raised >> (64 - width));
+    }
+}
+
+/// The output word that marks an item's last beat: Unit::kLast, where there is one.
+template <class Unit, class = void>
+inline constexpr int kLastWord = -1;
+template <class Unit>
+inline constexpr int kLastWord<Unit, std::void_t<decltype(Unit::kLast)>> = Unit::kLast;
+
+/// Units that keep a table of their own have load(Vunit&, const RepousseTable&), which writes it
+/// while the unit is empty; these cycles are not counted.
+template <class Unit, class = void>
+struct TableLoader {
+    template <class Top>
+    static void load_table(Top&, const RepousseTable&) {}
+};
+template <class Unit>
+struct TableLoader<Unit, std::void_t<decltype(&Unit::load)>> {
+    template <class Top>
+    static void load_table(Top& top, const RepousseTable& table) {
+        Unit::load(top, table);
+    }
+};
+
 /// A self-ticking Verilated unit. The whole loop over a batch stands here, inside the shared
 /// object, so that thousands of transactions cost one call through the C interface.
 ///
 /// `Unit` connects the ports by name:
 ///     kName, kConfigs, kInputs, kOutputs, kReadEntries
 ///     configure(Vunit&, const int64_t*), drive(Vunit&, const int64_t*), sample(Vunit&, int64_t*)
+///     with items of several beats, kLast: the output word that marks the last one
 ///     and, with a read port, the functions that ReadPort asks for.
 template <class Unit>
 class Harness {
@@ -37,7 +101,9 @@ public:
 
     void configure(const int64_t* config, const RepousseTable* table) {
         Unit::configure(top_, config);
-        if (table != nullptr) port_.configure(*table);
+        if (table == nullptr) return;
+        port_.configure(*table);
+        TableLoader<Unit>::load_table(top_, *table);
     }
 
     void reset() {
@@ -84,10 +150,14 @@ int32_t Harness<Unit>::run(const RepousseBatch& batch) {
     std::array<int64_t, Unit::kOutputs> result{};
     std::array<int64_t, Unit::kOutputs> stalled{};
     uint64_t sent = 0;
-    uint64_t done = 0;
+    uint64_t done = 0;   // items of which the last beat is out
+    uint64_t beats = 0;  // out
+    uint64_t unseen = 0;
+    uint64_t& reported = batch.beats != nullptr ? *batch.beats : unseen;
+    reported = 0;
     uint64_t quiet = 0;
     bool offering = false;     // item `sent` stands at the input
-    bool was_stalled = false;  // item `done` stood at the output and was not taken
+    bool was_stalled = false;  // beat `beats` stood at the output and was not taken
 
     while (done < batch.count) {
         if (!offering && sent < batch.count) {
@@ -96,7 +166,7 @@ int32_t Harness<Unit>::run(const RepousseBatch& batch) {
             if (offering) Unit::drive(top_, batch.in + sent * Unit::kInputs);
         }
         const bool taking =
-            batch.ready != nullptr ? cycle_ >= batch.ready[done] : sink.willing(random);
+            batch.ready != nullptr ? cycle_ >= batch.ready[beats] : sink.willing(random);
         top_.in_valid = offering;
         top_.out_ready = taking;
         port_.drive(top_, cycle_, random);
@@ -106,7 +176,7 @@ int32_t Harness<Unit>::run(const RepousseBatch& batch) {
         const bool offered = top_.out_valid;
         if (const int32_t wrong = port_.sample(top_, cycle_)) return wrong;
         if (offered) {
-            if (done == sent) return kRepousseExcess;
+            if (done == sent || beats == batch.capacity) return kRepousseExcess;
             Unit::sample(top_, result.data());
             if (was_stalled && result != stalled) return kRepousseUnstable;
             stalled = result;
@@ -116,9 +186,14 @@ int32_t Harness<Unit>::run(const RepousseBatch& batch) {
         was_stalled = offered && !taking;
         if (offered && taking) {
             for (int i = 0; i < Unit::kOutputs; ++i)
-                batch.out[done * Unit::kOutputs + i] = result[i];
-            if (batch.depart != nullptr) batch.depart[done] = cycle_;
-            ++done;
+                batch.out[beats * Unit::kOutputs + i] = result[i];
+            if (batch.depart != nullptr) batch.depart[beats] = cycle_;
+            reported = ++beats;
+            if constexpr (kLastWord<Unit> < 0) {
+                ++done;
+            } else {
+                done += result[kLastWord<Unit>] != 0;
+            }
         }
         if (accepted) {
             if (batch.accept != nullptr) batch.accept[sent] = cycle_;
@@ -145,6 +220,7 @@ const RepousseEngine* engine() {
         Unit::kConfigs,
         Unit::kInputs,
         Unit::kOutputs,
+        kLastWord<Unit>,
         Unit::kReadEntries,
         []() -> void* { return new (std::nothrow) H; },
         [](void* h) { delete static_cast<H*>(h); },
