@@ -20,18 +20,23 @@ typename P::Value VertexTransform<P>::clip_coordinate(const Vec3<V>& row,
 }
 
 template <class P>
-ScreenPoint<typename P::Value> VertexTransform<P>::operator()(const Vec3<V>& displaced) {
+EyePoint<P> VertexTransform<P>::eye(const Vec3<V>& position) {
     using Wide = typename P::Wide;
     ++counters_.items;
-    const Vec3<Wide> e{Wide(displaced.x) - view_.eye.x, Wide(displaced.y) - view_.eye.y,
-                       Wide(displaced.z) - view_.eye.z};
-    const V w = clip_coordinate(view_.forward, e);
-    if (w <= view_.near) {
+    const Vec3<Wide> e{Wide(position.x) - view_.eye.x, Wide(position.y) - view_.eye.y,
+                       Wide(position.z) - view_.eye.z};
+    return {clip_coordinate(view_.right, e), clip_coordinate(view_.up, e),
+            clip_coordinate(view_.forward, e)};
+}
+
+template <class P>
+ScreenPoint<typename P::Value> VertexTransform<P>::operator()(const Vec3<V>& displaced) {
+    const EyePoint<P> e = eye(displaced);
+    if (e.w <= view_.near) {
         ++counters_.behind;
         return {V{}, V{}, true};
     }
-    const auto ndc = divide_(clip_coordinate(view_.right, e), clip_coordinate(view_.up, e), w,
-                             counters_.overflows);
+    const auto ndc = divide_(e.x, e.y, e.w, counters_.overflows);
     const auto pixel = [&](V ratio, V focal, V centre) {
         return P::quantize(to_screen_, P::mul(ratio, focal) + P::align(centre, ndc_frac_),
                            counters_.overflows);

@@ -25,6 +25,14 @@ struct ViewRegisters {
     V centre_y{};
 };
 
+/// A point in eye space, in the format of `clip`: x to the right, y up, w along the view.
+template <class P>
+struct EyePoint {
+    typename P::Value x{};
+    typename P::Value y{};
+    typename P::Value w{};
+};
+
 /// What `vertex_transform` counted.
 struct VertexTransformCounters {
     uint64_t items = 0;
@@ -50,6 +58,9 @@ public:
     void configure(const ViewRegisters<P>& view) { view_ = view; }
 
     ScreenPoint<V> operator()(const Vec3<V>& displaced);
+
+    /// Step 1 alone, for vertices that go on to the grid instead of the screen. Counted as an item.
+    EyePoint<P> eye(const Vec3<V>& position);
 
     /// Transforms the new vertex of every edge that is split.
     void run(Span<Edge<P>> edges);
