@@ -7,18 +7,28 @@ Bump<P>::Bump(const Profile& profile)
     : uv_frac_(profile.uv.frac),
       to_normal_(2 * profile.normal.frac, profile.normal),
       to_unnormalised_(profile.normal.frac + profile.map_normal.frac, profile.unnormalised),
-      inverse_sqrt_(profile.inverse_sqrt_index_bits, profile.inverse_sqrt_newton_steps,
-                    profile.inverse_sqrt_bits),
-      normalise_(inverse_sqrt_, profile.displaced_normal) {}
+      normalise_(profile, profile.displaced_normal) {}
 
 template <class P>
 void Bump<P>::configure(const MapView<P>& map) {
     map_ = map;
 }
 
+template <class P>
+Vec3<typename P::Value> Bump<P>::read(Uv u) {
+    ++counters_.reads;
+    const int x = texel_address(u.x >> uv_frac_, map_.width, map_.wrap);
+    const int y = texel_address(u.y >> uv_frac_, map_.height, map_.wrap);
+    const auto& stored =
+        map_.normals[static_cast<std::size_t>(y) * static_cast<std::size_t>(map_.width) +
+                     static_cast<std::size_t>(x)];
+    return {V(stored.x), V(stored.y), V(stored.z)};
+}
+
 // Components of unit vectors: products of 16 bits each, their difference 33.
 template <class P>
-Vec3<typename P::Value> Bump<P>::bitangent(const Vertex<P>& vertex) {
+template <class AnyVertex>
+Vec3<typename P::Value> Bump<P>::bitangent(const AnyVertex& vertex) {
     const Vec3<V>& n = vertex.normal;
     const Vec3<V>& t = vertex.tangent;
     const auto cross = [&](V a, V b, V c, V d) {
@@ -30,17 +40,8 @@ Vec3<typename P::Value> Bump<P>::bitangent(const Vertex<P>& vertex) {
 }
 
 template <class P>
-void Bump<P>::operator()(Vertex<P>& vertex) {
-    ++counters_.items;
-    ++counters_.reads;
-    const int x = texel_address(vertex.uv.x >> uv_frac_, map_.width, map_.wrap);
-    const int y = texel_address(vertex.uv.y >> uv_frac_, map_.height, map_.wrap);
-    const auto& stored =
-        map_.normals[static_cast<std::size_t>(y) * static_cast<std::size_t>(map_.width) +
-                     static_cast<std::size_t>(x)];
-    const Vec3<V> d{V(stored.x), V(stored.y), V(stored.z)};
-    vertex.map_normal = d;
-
+template <class AnyVertex>
+Vec3<typename P::Value> Bump<P>::rotate(const AnyVertex& vertex, const Vec3<V>& d) {
     const Vec3<V>& t = vertex.tangent;
     const Vec3<V>& n = vertex.normal;
     const Vec3<V> b = bitangent(vertex);
@@ -49,9 +50,21 @@ void Bump<P>::operator()(Vertex<P>& vertex) {
         return P::quantize(to_unnormalised_, P::mul(tc, d.x) + P::mul(bc, d.y) + P::mul(nc, d.z),
                            counters_.overflows);
     };
-    vertex.displaced_normal =
-        normalise_({rotated(t.x, b.x, n.x), rotated(t.y, b.y, n.y), rotated(t.z, b.z, n.z)},
-                   counters_.degenerate);
+    return normalise_({rotated(t.x, b.x, n.x), rotated(t.y, b.y, n.y), rotated(t.z, b.z, n.z)},
+                      counters_.degenerate);
+}
+
+template <class P>
+void Bump<P>::operator()(Vertex<P>& vertex) {
+    ++counters_.items;
+    vertex.map_normal = read(vertex.uv);
+    vertex.displaced_normal = rotate(vertex, vertex.map_normal);
+}
+
+template <class P>
+void Bump<P>::operator()(FineVertex<P>& vertex) {
+    ++counters_.items;
+    vertex.displaced_normal = rotate(vertex, read(vertex.uv));
 }
 
 template <class P>

@@ -7,6 +7,8 @@
 #include "datapath/numbers/policy.h"
 #include "datapath/profile.h"
 #include "datapath/span.h"
+#include "datapath/sweep_items.h"
+#include "datapath/units/normalise.h"
 
 namespace repousse {
 
@@ -40,6 +42,9 @@ public:
     /// Reads N_D and makes N' of a vertex that has N, T and U.
     void operator()(Vertex<P>& vertex);
 
+    /// Makes N' of a vertex of the fine mesh.
+    void operator()(FineVertex<P>& vertex);
+
     /// Makes N' of the new vertices: of every undecided edge when the normal test follows
     /// (`for_test`; of all edges when eager), else of those that are split.
     void run(Span<Edge<P>> edges, bool for_test, bool eager);
@@ -48,13 +53,18 @@ public:
     void reset() { counters_ = {}; }
 
 private:
-    Vec3<V> bitangent(const Vertex<P>& vertex);
+    /// N_D at floor(u).
+    Vec3<V> read(Uv u);
+    template <class AnyVertex>
+    Vec3<V> bitangent(const AnyVertex& vertex);
+    /// Steps 2 to 4.
+    template <class AnyVertex>
+    Vec3<V> rotate(const AnyVertex& vertex, const Vec3<V>& map_normal);
 
     int uv_frac_;
     Cast to_normal_;
     Cast to_unnormalised_;
-    InverseSqrt inverse_sqrt_;
-    typename P::Normalise normalise_;
+    Normalise<P> normalise_;
     MapView<P> map_;
     BumpCounters counters_;
 };

@@ -30,6 +30,7 @@ inline constexpr std::string_view kBumpKeys[] = {"uv",
                                                  "normal",
                                                  "unnormalised",
                                                  "displaced_normal",
+                                                 "normalise_kind",
                                                  "inverse_sqrt_index_bits",
                                                  "inverse_sqrt_newton_steps",
                                                  "inverse_sqrt_bits"};

@@ -8,9 +8,7 @@ template <class P>
 MidVertex<P>::MidVertex(const Profile& profile)
     : align_sum_(std::max(0, profile.unnormalised.frac - profile.normal.frac)),
       to_unnormalised_(profile.normal.frac + align_sum_, profile.unnormalised),
-      inverse_sqrt_(profile.inverse_sqrt_index_bits, profile.inverse_sqrt_newton_steps,
-                    profile.inverse_sqrt_bits),
-      normalise_(inverse_sqrt_, profile.normal) {}
+      normalise_(profile, profile.normal) {}
 
 template <class P>
 void MidVertex<P>::topology(const Vertex<P>& v1, const Vertex<P>& v2, Vertex<P>& mid) {

@@ -6,6 +6,7 @@
 #include "datapath/numbers/policy.h"
 #include "datapath/profile.h"
 #include "datapath/span.h"
+#include "datapath/units/normalise.h"
 
 namespace repousse {
 
@@ -55,8 +56,7 @@ private:
 
     int align_sum_;  // to the fraction of `unnormalised`, so that the cast only clamps
     Cast to_unnormalised_;
-    InverseSqrt inverse_sqrt_;
-    typename P::Normalise normalise_;
+    Normalise<P> normalise_;
     MidVertexCounters counters_;
 };
 

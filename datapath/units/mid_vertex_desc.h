@@ -47,6 +47,7 @@ inline constexpr std::string_view kMidVertexKeys[] = {"uv",
                                                       "position",
                                                       "normal",
                                                       "unnormalised",
+                                                      "normalise_kind",
                                                       "inverse_sqrt_index_bits",
                                                       "inverse_sqrt_newton_steps",
                                                       "inverse_sqrt_bits"};
