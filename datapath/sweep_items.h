@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdint>
 
+#include "datapath/items.h"
+
 namespace repousse {
 
 /// What sweep-line remeshing passes from unit to unit. Two frames are in use. The *grid* is the
@@ -10,8 +12,13 @@ namespace repousse {
 /// triangle's remeshing plane: the sweep coordinate of the grid, and its side coordinate, negated
 /// where that puts the third corner above the primary edge.
 
-/// Most components of vertex data: position 3, normal 3, texture 2, colour 4, and 1/w.
+/// Most components of vertex data. In their order: position 3, normal 3, texture 2, c = w_scale /
+/// w; and, where a frame of tangents is wanted, tangent 3 and handedness.
 inline constexpr int kSweepComponents = 13;
+inline constexpr int kInverseWComponent = 8;
+inline constexpr int kPlainComponents = 9;  ///< without tangents
+/// Places in a vector, those behind the components being 0: loops of constant length are faster.
+inline constexpr int kSweepPlaces = 16;
 
 /// Corners lie within +-4096 (s14). Then steps and differences reach 8192 (s15), and twice a step
 /// count, which bounds a remainder, 16384 (u15).
@@ -59,8 +66,8 @@ struct SweepCorner {
 /// Values wrap: a grid point outside a sliver may extrapolate far, but no such point is emitted,
 /// and modulo arithmetic brings the walk back exactly.
 struct SweepVector {
-    std::array<int64_t, kSweepComponents> value{};
-    std::array<int32_t, kSweepComponents> remainder{};  ///< < modulus: u15 on edges, u27 inside
+    std::array<int64_t, kSweepPlaces> value{};
+    std::array<int32_t, kSweepPlaces> remainder{};  ///< < modulus: u15 on edges, u27 inside
     int32_t modulus = 1;
 };
 
@@ -158,6 +165,41 @@ struct SweepTriangle {
 struct SweepVertex {
     VertexName name;
     std::array<int32_t, kSweepComponents> data{};
+};
+
+/// A vertex of the fine mesh behind `perspective`, in the formats of the profile.
+template <class P>
+struct FineVertex {
+    using V = typename P::Value;
+    VertexName name;
+    Uv uv;                     ///< texels
+    Vec3<V> position;          ///< on the base surface
+    Vec3<V> normal;            ///< normalised after interpolation (equation 1)
+    Vec3<V> tangent;           ///< normalised; unused without bump
+    int8_t handedness = 1;     ///< the bitangent is handedness * (N x T)
+    Vec3<V> displaced;         ///< P' = P + D N
+    Vec3<V> displaced_normal;  ///< N'; unused without bump
+};
+
+/// What leaves of a vertex of the fine mesh.
+template <class P>
+struct SweepOutputVertex {
+    VertexName name;
+    Uv uv;                                     ///< texels
+    Vec3<typename P::Value> displaced;         ///< P'
+    Vec3<typename P::Value> displaced_normal;  ///< N'; zero without bump
+};
+
+/// Where a base triangle goes (Gumhold and Huettner 2.2).
+enum class Route : uint8_t {
+    Displaced,  ///< through the displacement unit
+    Direct,     ///< as it is to the triangle buffer
+};
+
+/// What the controller leaves in the triangle buffer for each base triangle: the order of output.
+struct OrderToken {
+    uint32_t base = 0;
+    Route route = Route::Displaced;
 };
 
 /// What the stripping unit does with a register (Gumhold and Huettner 2.3).

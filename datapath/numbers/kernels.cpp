@@ -2,23 +2,7 @@
 
 #include <type_traits>
 
-// With g++ on x86-64 each kernel is compiled twice, for every processor and for those with 256-bit
-// integer vectors, and the loader picks one; `flatten` inlines the cast into both. The results are
-// the same integers. Sanitizers get the plain one: the choice would run before their own set-up.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define REPOUSSE_KERNEL __attribute__((flatten, target_clones("default", "avx2")))
-#else
-#define REPOUSSE_KERNEL
-#endif
-
-// Says that y[i] is no later element's operand, so that y may be an operand's array. (clang finds
-// out at run time.)
-#if defined(__clang__)
-#define REPOUSSE_INDEPENDENT
-#else
-#define REPOUSSE_INDEPENDENT _Pragma("GCC ivdep")
-#endif
+#include "datapath/numbers/vector_clones.h"
 
 namespace repousse {
 namespace {
@@ -115,35 +99,35 @@ inline void batch(std::int64_t* y, std::size_t n, const Cast& cast, CastCounters
 
 }  // namespace
 
-REPOUSSE_KERNEL void cast_array(const std::int64_t* x, std::int64_t* y, std::size_t n,
-                                const Cast& cast) {
+REPOUSSE_VECTOR_CLONES void cast_array(const std::int64_t* x, std::int64_t* y, std::size_t n,
+                                       const Cast& cast) {
     batch(y, n, cast, [=](std::size_t i) { return x[i]; });
 }
 
-REPOUSSE_KERNEL void cast_array(const std::int64_t* x, std::int64_t* y, std::size_t n,
-                                const Cast& cast, CastCounters& counters) {
+REPOUSSE_VECTOR_CLONES void cast_array(const std::int64_t* x, std::int64_t* y, std::size_t n,
+                                       const Cast& cast, CastCounters& counters) {
     batch(y, n, cast, counters, [=](std::size_t i) { return x[i]; });
 }
 
-REPOUSSE_KERNEL void add(const std::int64_t* a, const std::int64_t* b, std::int64_t* y,
-                         std::size_t n, const Cast& cast) {
+REPOUSSE_VECTOR_CLONES void add(const std::int64_t* a, const std::int64_t* b, std::int64_t* y,
+                                std::size_t n, const Cast& cast) {
     batch(y, n, cast, [=](std::size_t i) { return a[i] + b[i]; });
 }
 
-REPOUSSE_KERNEL void add(const std::int64_t* a, const std::int64_t* b, std::int64_t* y,
-                         std::size_t n, const Cast& cast, CastCounters& counters) {
+REPOUSSE_VECTOR_CLONES void add(const std::int64_t* a, const std::int64_t* b, std::int64_t* y,
+                                std::size_t n, const Cast& cast, CastCounters& counters) {
     batch(y, n, cast, counters, [=](std::size_t i) { return a[i] + b[i]; });
 }
 
-REPOUSSE_KERNEL void multiply_add(const std::int32_t* a, const std::int32_t* b,
-                                  const std::int64_t* c, std::int64_t* y, std::size_t n,
-                                  const Cast& cast) {
+REPOUSSE_VECTOR_CLONES void multiply_add(const std::int32_t* a, const std::int32_t* b,
+                                         const std::int64_t* c, std::int64_t* y, std::size_t n,
+                                         const Cast& cast) {
     batch(y, n, cast, [=](std::size_t i) { return static_cast<std::int64_t>(a[i]) * b[i] + c[i]; });
 }
 
-REPOUSSE_KERNEL void multiply_add(const std::int32_t* a, const std::int32_t* b,
-                                  const std::int64_t* c, std::int64_t* y, std::size_t n,
-                                  const Cast& cast, CastCounters& counters) {
+REPOUSSE_VECTOR_CLONES void multiply_add(const std::int32_t* a, const std::int32_t* b,
+                                         const std::int64_t* c, std::int64_t* y, std::size_t n,
+                                         const Cast& cast, CastCounters& counters) {
     batch(y, n, cast, counters,
           [=](std::size_t i) { return static_cast<std::int64_t>(a[i]) * b[i] + c[i]; });
 }

@@ -2,15 +2,53 @@
 
 #include "datapath/units/sweep_line.h"
 
+#include "datapath/numbers/vector_clones.h"
+
 namespace repousse {
+namespace {
+
+// Both work on all places, whether the triangle has the components or not: that is faster than a
+// loop of variable length. `sum` may be `a`.
+REPOUSSE_VECTOR_CLONES
+void vector_sum(const SweepVector& a, const SweepVector& d, SweepVector& sum) {
+    const int32_t modulus = d.modulus;
+    sum.modulus = modulus;
+    REPOUSSE_INDEPENDENT
+    for (std::size_t i = 0; i < kSweepPlaces; ++i) {
+        const int32_t rest = a.remainder[i] + d.remainder[i];
+        const int32_t carry = rest >= modulus ? -1 : 0;
+        sum.remainder[i] = rest - (carry & modulus);
+        sum.value[i] = static_cast<int64_t>(static_cast<uint64_t>(a.value[i]) +
+                                            static_cast<uint64_t>(d.value[i]) -
+                                            static_cast<uint64_t>(static_cast<int64_t>(carry)));
+    }
+}
+
+REPOUSSE_VECTOR_CLONES
+void vector_difference(const SweepVector& a, const SweepVector& d, SweepVector& sum) {
+    const int32_t modulus = d.modulus;
+    sum.modulus = modulus;
+    REPOUSSE_INDEPENDENT
+    for (std::size_t i = 0; i < kSweepPlaces; ++i) {
+        const int32_t rest = a.remainder[i] - d.remainder[i];
+        const int32_t borrow = rest < 0 ? -1 : 0;
+        sum.remainder[i] = rest + (borrow & modulus);
+        sum.value[i] = static_cast<int64_t>(static_cast<uint64_t>(a.value[i]) -
+                                            static_cast<uint64_t>(d.value[i]) +
+                                            static_cast<uint64_t>(static_cast<int64_t>(borrow)));
+    }
+}
+
+}  // namespace
 
 // ---- registers ----------------------------------------------------------------------------------
 
 // A vertex register that plays no part. There are 8 of them in one lane: of the parts Vstart, both
 // Vbases, Vedge, bl, br, tl, tr, the one that is being computed is free. Two lanes keep two more.
 SweepLine::Index SweepLine::free_register() {
-    unsigned used = 0xF;
-    for (const Index index : roles_) used |= 1U << index;
+    unsigned used = 0;
+    REPOUSSE_UNROLLED
+    for (std::size_t role = 0; role < kRoles; ++role) used |= 1U << roles_[role];
     Index index = 4;
     while (used >> index & 1U) ++index;
     if (index > counters_.highest_register) counters_.highest_register = index;
@@ -24,27 +62,10 @@ void SweepLine::add(Role to, Index from, Index difference, bool subtract) {
     roles_[to] = free_register();
     const SweepVector &a = registers_[from].vector, &d = registers_[difference].vector;
     SweepVector& sum = registers_[roles_[to]].vector;
-    const int32_t modulus = d.modulus;
-    sum.modulus = modulus;
-    const auto count = static_cast<std::size_t>(triangle_->components);
     if (subtract) {
-        for (std::size_t i = 0; i < count; ++i) {
-            const int32_t rest = a.remainder[i] - d.remainder[i];
-            const int32_t borrow = rest < 0;
-            sum.remainder[i] = rest + (borrow ? modulus : 0);
-            sum.value[i] = static_cast<int64_t>(static_cast<uint64_t>(a.value[i]) -
-                                                static_cast<uint64_t>(d.value[i]) -
-                                                static_cast<uint64_t>(borrow));
-        }
-        return;
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-        const int32_t rest = a.remainder[i] + d.remainder[i];
-        const int32_t carry = rest >= modulus;
-        sum.remainder[i] = rest - (carry ? modulus : 0);
-        sum.value[i] =
-            static_cast<int64_t>(static_cast<uint64_t>(a.value[i]) +
-                                 static_cast<uint64_t>(d.value[i]) + static_cast<uint64_t>(carry));
+        vector_difference(a, d, sum);
+    } else {
+        vector_sum(a, d, sum);
     }
 }
 

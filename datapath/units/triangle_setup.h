@@ -56,6 +56,9 @@ public:
 
     void configure(const TriangleSetupRegisters& registers) { registers_ = registers; }
 
+    /// Between draws: the components of a vertex that are in use, at most kSweepComponents.
+    void use_components(int components) { options_.components = components; }
+
     /// Step 1: a grid position with kGridFractionBits fraction bits to its slot.
     std::array<int32_t, 3> slot(const std::array<int32_t, 3>& position);
 

@@ -31,13 +31,17 @@ inline constexpr Port kTriangleSetupPorts[] = {
      "doubled; edges use the low 15 bits"},
 };
 
+inline constexpr std::string_view kTriangleSetupKeys[] = {
+    "sweep_data", "inverse_w", "adder_kind", "guard_bits", "components", "dividers",
+};
+
 /// Rounding, main directions and longest edge 3 cycles, cross products 3, one quotient 48, case
 /// selection 2. The interval is that of one divider: 13 components of 3 edges and 2 gradients.
 inline constexpr UnitDesc kTriangleSetupDesc = {
     "triangle_setup",
     "Gumhold and Huettner 1999, sections 3.4.1 to 3.4.3, equations 9 to 11",
     kTriangleSetupPorts,
-    {},
+    kTriangleSetupKeys,
     56,  // latency
     65,  // interval
     2,   // capacity

@@ -1,0 +1,12 @@
+    // Printed from datapath/units/sweep_line_desc.h; the defaults are the profile `default`.
+    // A unit need not use all that an entry gives.
+    /* verilator lint_off UNUSEDPARAM */
+    parameter integer SWEEP_DATA_WIDTH = 32,  // attributes times c
+    parameter integer SWEEP_DATA_FRAC  = 16,  // of which fraction bits
+    parameter integer INVERSE_W_WIDTH  = 32,  // c = w_scale / w
+    parameter integer INVERSE_W_FRAC   = 30,  // of which fraction bits
+    parameter integer ADDER_KIND       = 2,   // adders of the sweep: 0 plain, 1 canonical, 2 exact
+    parameter integer GUARD_BITS       = 0,   // below the LSB of sweep_data; exact adders need none
+    parameter integer COLUMN_DEPTH     = 256,  // vertices in the column FIFO; 0: one lane
+    parameter integer COMPONENTS       = 13   // components of a vertex that the sweep's registers hold
+    /* verilator lint_on UNUSEDPARAM */
