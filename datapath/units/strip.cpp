@@ -2,19 +2,6 @@
 
 namespace repousse {
 
-StripControl::Triangle StripControl::add(uint8_t place, bool is_ref) {
-    const bool swap = length_ == 2 && is_ref && place == older_;
-    const Triangle triangle{length_ == 2 && !swap, swap, odd_, older_, newer_};
-    if (length_ == 2) {
-        odd_ = !odd_;
-    } else {
-        ++length_;
-    }
-    older_ = newer_;
-    newer_ = place;
-    return triangle;
-}
-
 template <class V>
 const V* Strip<V>::source(StripOp op, uint8_t place, Span<const V> vertices, std::size_t& next) {
     switch (op) {
@@ -57,7 +44,9 @@ void Strip<V>::operator()(const StripStep& step, Span<const V> vertices, StripTr
         }
         const bool is_ref = command.op == StripOp::Ref;
         const StripControl::Triangle made = control_.add(place, is_ref);
-        if (made.made) {
+        if (made.made && out.count == kStripTriangles) {
+            ++counters_.bad_refs;
+        } else if (made.made) {
             const V &older = registers_[made.older], &newer = registers_[made.newer];
             auto& triangle = out.triangles[out.count++];
             triangle[0] = older;

@@ -7,6 +7,7 @@
 
 #include "datapath/span.h"
 #include "datapath/sweep_items.h"
+#include "datapath/transaction.h"
 #include "datapath/units/strip_desc.h"
 
 namespace repousse {
@@ -19,16 +20,83 @@ struct StripCounters {
     uint64_t swaps = 0;  ///< refs that turned the strip and made no triangle
     uint64_t vertices = 0;
     uint64_t triangles = 0;
-    uint64_t bad_refs = 0;    ///< a register or FIFO without a vertex was named
+    uint64_t bad_refs = 0;    ///< commands that could not be carried out; see Strip
     std::size_t deepest = 0;  ///< most vertices that either FIFO held
 };
+
+/// A command as it stands on a port.
+inline Word pack(const StripCommand& command) {
+    return static_cast<Word>(command.op) << 4 | Word{command.place} << 2 |
+           static_cast<Word>(command.keep);
+}
+inline StripCommand unpack_strip_command(Word word) {
+    return {static_cast<StripOp>(word >> 4 & 3), static_cast<uint8_t>(word >> 2 & 3),
+            static_cast<StripKeep>(word & 3)};
+}
+
+/// One step as it enters the unit, with its new vertices by their numbers: the input ports of the
+/// description.
+struct StripIn {
+    bool flush = false;
+    StripStep step;
+    std::array<uint32_t, 4> vertices{};
+
+    std::array<Word, 12> pack() const {
+        const auto& c = step.commands;
+        return {flush,
+                step.init,
+                step.flip,
+                step.count,
+                repousse::pack(c[0]),
+                repousse::pack(c[1]),
+                repousse::pack(c[2]),
+                repousse::pack(c[3]),
+                vertices[0],
+                vertices[1],
+                vertices[2],
+                vertices[3]};
+    }
+    static StripIn unpack(const Word* w) {
+        StripIn in;
+        in.flush = w[0] != 0;
+        in.step.init = w[1] != 0;
+        in.step.flip = w[2] != 0;
+        in.step.count = static_cast<uint8_t>(w[3]);
+        for (std::size_t i = 0; i < 4; ++i) {
+            in.step.commands[i] = unpack_strip_command(w[4 + i]);
+            in.vertices[i] = static_cast<uint32_t>(w[8 + i]);
+        }
+        return in;
+    }
+};
+static_assert(ports_are(kStripDesc, PortKind::Input,
+                        {"flush", "init", "flip", "count", "command0", "command1", "command2",
+                         "command3", "vertex0", "vertex1", "vertex2", "vertex3"}));
+static_assert(ports_are(kStripDesc, PortKind::Config, {}));
 
 /// The triangles of one step.
 template <class V>
 struct StripTriangles {
     uint8_t count = 0;
-    std::array<std::array<V, 3>, 4> triangles;
+    std::array<std::array<V, 3>, kStripTriangles> triangles;
 };
+
+/// What the unit answers to a step: the output ports. Vertices of triangles that were not made are
+/// undefined on the ports and 0 here.
+struct StripOut {
+    StripTriangles<uint32_t> made;
+    bool bad_ref = false;
+
+    std::array<Word, 8> pack() const {
+        std::array<Word, 8> words = {made.count, bad_ref};
+        for (std::size_t i = 0; i < made.count; ++i) {
+            for (std::size_t k = 0; k < 3; ++k) words[2 + 3 * i + k] = made.triangles[i][k];
+        }
+        return words;
+    }
+};
+static_assert(ports_are(kStripDesc, PortKind::Output,
+                        {"triangles", "bad_ref", "a0", "b0", "c0", "a1", "b1", "c1"}));
 
 /// The control of the stripping unit: which vertices make a triangle, in which order. It knows
 /// registers by number only.
@@ -50,7 +118,16 @@ public:
 
     /// Adds the vertex of a register, before the register is loaded. A ref to the older of the last
     /// two vertices is a swap: it turns the strip and makes no triangle.
-    Triangle add(uint8_t place, bool is_ref);
+    Triangle add(uint8_t place, bool is_ref) {
+        const bool full = length_ == 2;
+        const bool swap = full && is_ref && place == older_;
+        const Triangle triangle{full && !swap, swap, odd_, older_, newer_};
+        odd_ ^= full;
+        length_ = full ? 2 : static_cast<uint8_t>(length_ + 1);
+        older_ = newer_;
+        newer_ = place;
+        return triangle;
+    }
 
 private:
     uint8_t length_ = 0;  // vertices in the strip, counted to 2
@@ -67,8 +144,12 @@ private:
 ///  3. from the third vertex on each makes a triangle with the two before it, but a swap;
 ///  4. kept vertices go to the column or the split FIFO as well, to be set from there.
 ///
-/// A whole step, up to four commands, is one transaction. `V` is the vertex, whatever the stages
-/// before have made of it.
+/// A whole step, up to four commands, is one transaction, and makes two triangles at most. `V` is
+/// the vertex, whatever the stages before have made of it.
+///
+/// What cannot be carried out is left out and counted, and the rest of the step goes on: a ref to a
+/// register, or a setref from a FIFO, without a vertex does nothing; a vertex for a full FIFO is
+/// not kept; a third triangle of a step is not made. The sweep line asks for none of these.
 template <class V>
 class Strip {
 public:
@@ -81,6 +162,17 @@ public:
     /// End of frame, or after the sweep line has dropped a triangle: forgets strip and FIFOs.
     void flush();
 
+    /// Calls `f(V&)` for every vertex in a register or a FIFO, so that vertices that go by numbers
+    /// can be numbered anew.
+    template <class F>
+    void for_each(F&& f) {
+        for (std::size_t i = 0; i < kStripRegisters; ++i) {
+            if (loaded_[i]) f(registers_[i]);
+        }
+        column_.for_each(f);
+        split_.for_each(f);
+    }
+
     bool bad_ref() const { return counters_.bad_refs != 0; }
     const StripCounters& counters() const { return counters_; }
     void reset() { flush(), counters_ = {}; }
@@ -92,20 +184,30 @@ private:
         explicit Ring(std::size_t depth) : places_(depth) {}
         bool push(const V& vertex) {
             if (count_ == places_.size()) return false;
-            places_[(first_ + count_++) % places_.size()] = vertex;
+            places_[place(count_++)] = vertex;
             return true;
         }
         const V* pop() {
             if (count_ == 0) return nullptr;
             const V* vertex = &places_[first_];
-            first_ = (first_ + 1) % places_.size();
+            first_ = place(1);
             --count_;
             return vertex;
+        }
+        template <class F>
+        void for_each(F& f) {
+            for (std::size_t i = 0; i < count_; ++i) f(places_[place(i)]);
         }
         void clear() { first_ = count_ = 0; }
         std::size_t size() const { return count_; }
 
     private:
+        // Of the i-th vertex from the oldest, i <= size: a comparison is faster than a division.
+        std::size_t place(std::size_t i) const {
+            const std::size_t at = first_ + i;
+            return at < places_.size() ? at : at - places_.size();
+        }
+
         std::vector<V> places_;
         std::size_t first_ = 0, count_ = 0;
     };

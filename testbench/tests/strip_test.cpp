@@ -103,6 +103,40 @@ TEST(Strip, ABadReferenceIsReportedAndMakesNothing) {
     EXPECT_EQ(f.unit.counters().bad_refs, 1u) << "the FIFO holds four";
 }
 
+TEST(Strip, AStepMakesTwoTrianglesAtMost) {
+    Fixture f;
+    f.step({set(0), set(1)}, true);
+    f.step({set(2), set(3), set(0), set(1)});
+    EXPECT_EQ(f.made, (std::vector<Triangle>{{10, 11, 12}, {11, 13, 12}}));
+    EXPECT_EQ(f.unit.counters().bad_refs, 2u);
+    f.step({set(2)});
+    EXPECT_EQ(f.made, (std::vector<Triangle>{{14, 15, 16}})) << "the strip goes on";
+}
+
+TEST(Strip, WithoutFifosNothingIsKept) {
+    Strip<uint32_t> unit(0);
+    StripTriangles<uint32_t> out;
+    const uint32_t vertex = 7;
+    StripStep step;
+    step.count = 2;
+    step.commands[0] = set(0, StripKeep::Column);
+    step.commands[1] = recall(StripOp::Column, 1);
+    unit(step, {&vertex, 1}, out);
+    EXPECT_EQ(unit.counters().bad_refs, 2u);
+    EXPECT_EQ(unit.counters().vertices, 1u);
+}
+
+// The FIFO holds four: one more is not kept, but it is in its register and in the strip.
+TEST(Strip, AFullFifoLosesOnlyWhatIsKept) {
+    Fixture f;
+    for (int i = 0; i < 5; ++i) f.step({set(uint8_t(i % 2), StripKeep::Column)}, i == 0);
+    EXPECT_EQ(f.made, (std::vector<Triangle>{{12, 13, 14}}));
+    EXPECT_EQ(f.unit.counters().bad_refs, 1u);
+    for (uint32_t i = 0; i < 4; ++i) f.step({recall(StripOp::Column, uint8_t(i % 2))}, i == 0);
+    EXPECT_EQ(f.made, (std::vector<Triangle>{{11, 13, 12}}));
+    EXPECT_EQ(f.unit.counters().deepest, 4u);
+}
+
 TEST(Strip, FlushForgetsEverything) {
     Fixture f;
     f.step({set(0, StripKeep::Column), set(1)}, true);
