@@ -1,5 +1,6 @@
 #include "datapath/profile.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -35,6 +36,33 @@ constexpr std::array kEntries = {
     format_entry("ndc", &Profile::ndc, true, 4, 32, "eye-space x/w and y/w"),
     format_entry("focal", &Profile::focal, true, 4, 30, "pixels per unit of x/w; the centre"),
     format_entry("screen", &Profile::screen, true, 3, 30, "pixels"),
+    format_entry("sweep_data", &Profile::sweep_data, true, 4, 32, "attributes times c"),
+    format_entry("inverse_w", &Profile::inverse_w, true, 4, 32, "c = w_scale / w"),
+    format_entry("steps_per_octave", &Profile::steps_per_octave, false, 4, 30,
+                 "grid steps in depth for each doubling of w"),
+    integer_entry("z_table_kind", &Profile::z_table_kind, 0, 2,
+                  "depth table: 0 uniform, 1 linear by octaves, 2 quadratic by octaves"),
+    integer_entry("z_table_index_bits", &Profile::z_table_index_bits, 1, 16,
+                  "log2 of the depth table's entries"),
+    integer_entry("adder_kind", &Profile::adder_kind, 0, 2,
+                  "adders of the sweep: 0 plain, 1 canonical, 2 exact"),
+    integer_entry("guard_bits", &Profile::guard_bits, 0, 13,
+                  "below the LSB of sweep_data; exact adders need none"),
+    integer_entry("column_depth", &Profile::column_depth, 0, 256,
+                  "vertices in the column FIFO; 0: one lane"),
+    integer_entry("components", &Profile::components, 1, 13,
+                  "components of a vertex that the sweep's registers hold"),
+    integer_entry("dividers", &Profile::dividers, 1, 65, "dividers of the triangle setup"),
+    format_entry("cosine", &Profile::cosine, true, 4, 22, "a cosine in the illumination"),
+    format_entry("light", &Profile::light, false, 2, 20, "a light's colour times the material's"),
+    format_entry("colour", &Profile::colour, false, 1, 20, "a vertex's colour"),
+    integer_entry("lights", &Profile::lights, 1, 8, "lights of the illumination"),
+    integer_entry("power_log_index_bits", &Profile::power_log_index_bits, 1, 5,
+                  "log2 of the logarithm's table in x^n"),
+    integer_entry("power_exp_index_bits", &Profile::power_exp_index_bits, 1, 8,
+                  "log2 of the exponential's table in x^n"),
+    integer_entry("normalise_kind", &Profile::normalise_kind, 0, 1,
+                  "unit vectors by: 0 inverse square root, 1 CORDIC"),
     integer_entry("inverse_sqrt_index_bits", &Profile::inverse_sqrt_index_bits, 2, 12,
                   "log2 of the inverse square root's table"),
     integer_entry("inverse_sqrt_newton_steps", &Profile::inverse_sqrt_newton_steps, 0, 5,
@@ -97,6 +125,9 @@ Status check_growth(const Profile& p) {
         std::string_view of;
     };
     const int displaced_frac = p.displacement.frac + p.normal.frac;
+    const int corrected_frac = std::max({p.position.frac, p.unnormalised.frac, p.uv.frac});
+    const int reach_bits = std::max(
+        p.clip.width, p.displacement.width + std::max(0, p.clip.frac - p.displacement.frac));
     const std::array rules = {
         Rule{"filtered_height", p.filtered_height.width + kScaleBits, "height * scale"},
         Rule{"displacement", p.displacement.width + p.normal.width + 1, "P + D * N"},
@@ -104,6 +135,10 @@ Status check_growth(const Profile& p) {
         Rule{"view_row", p.position.width + 1 + p.view_row.width + 2, "row . (P' - eye)"},
         Rule{"reciprocal_bits", p.clip.width + p.reciprocal_bits + 1, "x * (1/w)"},
         Rule{"ndc", p.ndc.width + p.focal.width + 1, "x/w * focal + centre"},
+        Rule{"inverse_w", p.position.width + p.inverse_w.frac + 1, "P * c, c <= 1"},
+        Rule{"inverse_w", corrected_frac + p.inverse_w.frac + p.sweep_data.integer_bits() + 2,
+             "P * c over the least c"},
+        Rule{"clip", reach_bits + p.view_row.frac + 2, "a reach of the view volume"},
         Rule{"diagonal", 2 * p.diagonal.width + 1, "the squared length of a diagonal"},
         Rule{"unnormalised", 2 * p.unnormalised.width + 2, "a squared length"},
         Rule{"inverse_sqrt_bits", p.unnormalised.width + p.inverse_sqrt_bits + 1, "v / |v|"},
@@ -119,6 +154,13 @@ Status check_growth(const Profile& p) {
     if (displaced_frac < p.position.frac) {
         return bad_value("displacement", "D * N has fewer fraction bits than the position",
                          "displacement.frac + normal.frac >= position.frac");
+    }
+    if (p.inverse_w.integer_bits() < 1) {
+        return bad_value("inverse_w", "no room for c = 1", "at least one integer bit, like s1.30");
+    }
+    if (p.cosine.integer_bits() < 1 || p.cosine.frac < 1) {
+        return bad_value("cosine", "no room for a cosine of 1, or for less than 1",
+                         "at least one integer and one fraction bit, like s1.16");
     }
     if (p.filtered_height.frac < p.height.frac) {
         return bad_value("filtered_height", "fewer fraction bits than the height itself",

@@ -43,7 +43,28 @@ struct Profile {
     Format focal;     ///< pixels per unit of x/w, and the viewport's centre
     Format screen;    ///< pixels
 
+    // Sweep-line remeshing (Gumhold and Huettner).
+    Format sweep_data;           ///< attributes times c, as vertices carry them
+    Format inverse_w;            ///< c = w_scale / w, the last of a vertex's components
+    Format steps_per_octave;     ///< grid steps in depth for each doubling of w
+    int z_table_kind = 0;        ///< ZTableKind
+    int z_table_index_bits = 0;  ///< log2 of the table's entries
+    int adder_kind = 0;          ///< AdderKind
+    int guard_bits = 0;          ///< below the LSB of sweep_data; the exact adders need none
+    int column_depth = 0;        ///< vertices in the column FIFO; 0: one lane
+    int components = 0;          ///< components of a vertex that the sweep's registers hold
+    int dividers = 0;            ///< of the triangle setup
+
+    // Illumination.
+    Format cosine;                 ///< dot products of unit vectors, and their powers
+    Format light;                  ///< a light's colour times the material's, and ambient light
+    Format colour;                 ///< a vertex's colour
+    int lights = 0;                ///< that the unit has registers and lanes for
+    int power_log_index_bits = 0;  ///< log2 of the logarithm's table
+    int power_exp_index_bits = 0;  ///< log2 of the exponential's table
+
     // Closed functions.
+    int normalise_kind = 0;           ///< NormaliseKind
     int inverse_sqrt_index_bits = 0;  ///< log2 of the table's entries
     int inverse_sqrt_newton_steps = 0;
     int inverse_sqrt_bits = 0;  ///< mantissa bits

@@ -3,10 +3,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "datapath/items.h"
 #include "datapath/numbers/cast.h"
+#include "datapath/numbers/cordic.h"
 #include "datapath/numbers/functions.h"
+#include "datapath/numbers/log2.h"
+#include "datapath/numbers/power.h"
 
 namespace repousse {
 
@@ -17,7 +21,8 @@ namespace repousse {
 /// `align(x, bits)` multiplies by 2^bits (floors, for negative bits) so that terms of different
 /// fraction bits can be added or compared; doubles carry their own exponent, so Real ignores it.
 /// `exact(raw, frac)` takes in an integer that stands for raw * 2^-frac: Fixed keeps the integer,
-/// Real the value.
+/// Real the value. `raw(x, frac)` is its inverse: the nearest integer, ties upwards.
+/// `limit(format)` is the largest value that a format does not cut.
 
 /// Bit-accurate: raw two's-complement integers, formats beside them.
 struct Fixed {
@@ -32,6 +37,8 @@ struct Fixed {
     static Value quantize(const Cast& cast, Wide x, uint64_t& overflows) {
         return static_cast<Value>(cast(x, overflows));
     }
+    static int32_t raw(Value x, int) { return x; }
+    static Value limit(const Format& format) { return static_cast<Value>(format.max_raw()); }
 
     /// One prepared cast for each exponent that a closed function can return: the rounding after
     /// a data-dependent shift. 64 shifts cover every 64-bit product.
@@ -49,26 +56,32 @@ struct Fixed {
         std::array<Cast, 64> casts_{};
     };
 
-    /// v / |v| for components of at most 19 bits: squares 36 bits, their sum 38, which leaves room
-    /// for v times the mantissa (19 + 24 bits). The zero vector has no direction and stays zero;
-    /// it is counted.
+    /// v / |v| for components of at most 24 bits: squares 46 bits, their sum 48; v times the
+    /// mantissa 24 + 29. The zero vector has no direction and stays zero; it is counted.
     class Normalise {
     public:
-        Normalise(const InverseSqrt& inverse_sqrt, const Format& to)
-            : inverse_sqrt_(&inverse_sqrt), round_(to) {}
+        Normalise(NormaliseKind kind, const InverseSqrt& inverse_sqrt, const Format& to)
+            : kind_(kind), inverse_sqrt_(inverse_sqrt), cordic_(to.frac), round_(to) {}
         Vec3<Value> operator()(const Vec3<Value>& v, uint64_t& degenerate) const {
             const Wide square = mul(v.x, v.x) + mul(v.y, v.y) + mul(v.z, v.z);
             degenerate += square == 0;
             if (square == 0) return {};
-            const Scaled s = (*inverse_sqrt_)(static_cast<uint64_t>(square));
             uint64_t saturated = 0;  // |v| rounds to one at most: not an event worth reporting
+            if (kind_ == NormaliseKind::Cordic) {
+                const auto [x, y, z] = cordic_(v.x, v.y, v.z);
+                return {round_(x, cordic_.bits(), saturated), round_(y, cordic_.bits(), saturated),
+                        round_(z, cordic_.bits(), saturated)};
+            }
+            const Scaled s = inverse_sqrt_(static_cast<uint64_t>(square));
             return {round_(mul(v.x, s.mantissa), s.exponent, saturated),
                     round_(mul(v.y, s.mantissa), s.exponent, saturated),
                     round_(mul(v.z, s.mantissa), s.exponent, saturated)};
         }
 
     private:
-        const InverseSqrt* inverse_sqrt_;
+        NormaliseKind kind_;
+        InverseSqrt inverse_sqrt_;
+        Cordic cordic_;
         ShiftedCast round_;
     };
 
@@ -87,6 +100,77 @@ struct Fixed {
         const Reciprocal* reciprocal_;
         ShiftedCast round_;
     };
+
+    /// 1/c of a positive c, to be multiplied with several values.
+    using Inverse = Scaled;
+    static Inverse invert(const Reciprocal& reciprocal, Value c) {
+        return reciprocal(static_cast<uint64_t>(c));
+    }
+
+    /// v * (1/c), 32 x 30 bits, rounded half up after a shift by the exponent of 1/c and saturated,
+    /// whatever the modes of the format are. Precondition: v * 2^(frac of the result) over the
+    /// least c fits 63 bits.
+    class Quotient {
+    public:
+        Quotient(int frac_of_v, int frac_of_c, const Format& to)
+            : shift_(frac_of_v - frac_of_c - to.frac), low_(to.min_raw()), high_(to.max_raw()) {}
+        Value operator()(Value v, const Inverse& r, uint64_t& overflows) const {
+            int right = r.exponent + shift_;
+            const int left = right < 0 ? -right : 0;
+            right = right < 0 ? 0 : right;
+            right = right > 63 ? 63 : right;  // nothing is left of 62 bits, as with more
+            const auto half = static_cast<Wide>((uint64_t{1} << right) >> 1);
+            const Wide wanted = (align(mul(v, r.mantissa), left) + half) >> right;
+            Wide value = wanted > high_ ? high_ : wanted;
+            value = wanted < low_ ? low_ : value;
+            overflows += value != wanted;
+            return static_cast<Value>(value);
+        }
+
+    private:
+        int shift_;
+        Wide low_, high_;
+    };
+
+    /// log2 of a value w > 0 with `frac` fraction bits, in OctaveLog2's fraction bits.
+    static Wide log2(const OctaveLog2& table, Value w, int frac) {
+        return table(static_cast<uint64_t>(w)) - mul(frac, Wide(1) << OctaveLog2::kFractionBits);
+    }
+
+    /// x^n of a cosine with `frac` fraction bits; 0 where x is not positive.
+    class CosinePower {
+    public:
+        CosinePower(const Power& power, int frac, const Format& to)
+            : power_(power), frac_(frac), round_(to) {}
+        Value operator()(Value x, int n) const {
+            const auto cosine = static_cast<uint64_t>(x < 0 ? 0 : x);
+            const Scaled p = power_(cosine, frac_, static_cast<unsigned>(n));
+            uint64_t saturated = 0;  // one at most: not an event worth reporting
+            return round_(p.mantissa, p.exponent, saturated);
+        }
+
+    private:
+        Power power_;
+        int frac_;
+        ShiftedCast round_;
+    };
+
+    /// A vector of any length on its way into a normalisation: shifted, and rounded half up, until
+    /// its largest component has bits - 1 bits with its sign. Rounding may need the last one.
+    static Vec3<Value> scaled(const Vec3<Wide>& v, int bits) {
+        const auto magnitude = [](Wide x) { return static_cast<uint64_t>(x ^ (x >> 63)); };
+        const uint64_t any = magnitude(v.x) | magnitude(v.y) | magnitude(v.z);
+        const int length = any == 0 ? 0 : 64 - __builtin_clzll(any);
+        const int shift = length - (bits - 2);
+        const Wide half = shift > 0 ? Wide(1) << (shift - 1) : 0;
+        const auto component = [&](Wide x) { return static_cast<Value>(align(x + half, -shift)); };
+        return {component(v.x), component(v.y), component(v.z)};
+    }
+
+    /// To an integer that stands for a fixed-point number at every level, as grid positions do.
+    static int32_t round(const Cast& cast, Wide x, uint64_t& overflows) {
+        return quantize(cast, x, overflows);
+    }
 };
 
 /// The same stages in double: what they would give if no bit were ever dropped. The only double
@@ -101,10 +185,14 @@ struct Real {
     static Wide half(Wide sum) { return sum * 0.5; }
     static Wide exact(int64_t raw, int frac) { return std::ldexp(static_cast<double>(raw), -frac); }
     static Value quantize(const Cast&, Wide x, uint64_t&) { return x; }
+    static int32_t raw(Value x, int frac) {
+        return static_cast<int32_t>(std::floor(std::ldexp(x, frac) + 0.5));
+    }
+    static Value limit(const Format&) { return std::numeric_limits<double>::infinity(); }
 
     class Normalise {
     public:
-        Normalise(const InverseSqrt&, const Format&) {}
+        Normalise(NormaliseKind, const InverseSqrt&, const Format&) {}
         Vec3<Value> operator()(const Vec3<Value>& v, uint64_t& degenerate) const {
             const double length = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
             degenerate += length == 0.0;
@@ -120,6 +208,37 @@ struct Real {
             return {x / w, y / w};
         }
     };
+
+    using Inverse = double;
+    static Inverse invert(const Reciprocal&, Value c) { return 1.0 / c; }
+
+    class Quotient {
+    public:
+        Quotient(int, int, const Format&) {}
+        Value operator()(Value v, const Inverse& r, uint64_t&) const { return v * r; }
+    };
+
+    static Wide log2(const OctaveLog2&, Value w, int) { return std::log2(w); }
+
+    class CosinePower {
+    public:
+        CosinePower(const Power&, int, const Format&) {}
+        Value operator()(Value x, int n) const { return x > 0.0 ? std::pow(x, n) : 0.0; }
+    };
+
+    static Vec3<Value> scaled(const Vec3<Wide>& v, int) { return v; }
+
+    /// Rounds half up and saturates, whatever the modes of the cast's format.
+    static int32_t round(const Cast& cast, Wide x, uint64_t& overflows) {
+        const Format& to = cast.format();
+        const double wanted = std::floor(std::ldexp(x, to.frac) + 0.5);
+        const auto low = static_cast<double>(to.min_raw());
+        const auto high = static_cast<double>(to.max_raw());
+        double kept = wanted > high ? high : wanted;
+        kept = kept >= low ? kept : low;  // also where x is no number
+        overflows += kept != wanted;
+        return static_cast<int32_t>(kept);
+    }
 };
 
 }  // namespace repousse

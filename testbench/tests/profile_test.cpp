@@ -78,10 +78,10 @@ TEST(Profile, EveryKeyIsRequiredOnce) {
 
 TEST(Profile, UnknownKeysAreRefused) {
     Pairs pairs = default_pairs();
-    pairs.emplace_back("colour", "s1.2");
+    pairs.emplace_back("flavour", "s1.2");
     const auto profile = make_profile(pairs);
     ASSERT_FALSE(profile);
-    EXPECT_EQ(profile.error().where, "colour");
+    EXPECT_EQ(profile.error().where, "flavour");
     EXPECT_EQ(profile.error().what, "unknown key");
 }
 
@@ -123,7 +123,8 @@ TEST(Profile, GrowthRulesNameTheKey) {
         {"displacement", {{"displacement", "s8.4"}, {"normal", "s1.11"}, {"position", "s7.16"}}},
         {"filtered_height", {{"filtered_height", "u0.15"}}},
         {"normal", {{"normal", "s1.10"}}},
-        {"uv", {{"uv", "s10.17"}}},
+        {"cosine", {{"cosine", "s0.16"}}},
+        {"uv", {{"uv", "s10.17"}, {"sweep_data", "s13.16"}}},
     };
     for (const Case& c : cases) {
         Pairs pairs = default_pairs();
@@ -153,13 +154,14 @@ TEST(Profile, HashSeesTheKeysOfItsUnitAndNoOther) {
                 format.overflow == Overflow::SC_WRAP ? Overflow::SC_SAT : Overflow::SC_WRAP;
             value = to_string(format);
         } else {
-            value = std::to_string(base.*entry.integer - 1);
+            const int now = base.*entry.integer;
+            value = std::to_string(now == entry.low ? now + 1 : now - 1);
         }
         const uint64_t changed = profile_hash(test::profile_with("default", {{key, value}}), keys);
         EXPECT_EQ(changed != hash, key == "uv" || key == "sat_width") << key;
         EXPECT_EQ(hashes.insert(changed).second, changed != hash) << key;
     }
-    const std::string_view unknown[] = {"uv", "sat_width", "colour"};
+    const std::string_view unknown[] = {"uv", "sat_width", "flavour"};
     EXPECT_EQ(profile_hash(base, unknown), hash);
     // Stored in vector files: this value may change with the shipped profile's uv or sat_width.
     EXPECT_NE(profile_hash(test::profile_with("narrow", {}), keys), hash);
@@ -176,9 +178,9 @@ TEST(ProfileReader, ErrorsSayFileLineAndColumn) {
         const auto profile = parse_profile(changed, "my.toml");
         return profile ? std::string("accepted") : profile.error().message();
     };
-    EXPECT_THAT(message(text + "colour = 3\n"), HasSubstr("my.toml:"));
-    EXPECT_THAT(message(text + "colour = 3\n"), HasSubstr("unknown key"));
-    EXPECT_THAT(message("# one\ncolour = 3\n" + text), HasSubstr("my.toml:2:"));
+    EXPECT_THAT(message(text + "flavour = 3\n"), HasSubstr("my.toml:"));
+    EXPECT_THAT(message(text + "flavour = 3\n"), HasSubstr("unknown key"));
+    EXPECT_THAT(message("# one\nflavour = 3\n" + text), HasSubstr("my.toml:2:"));
     EXPECT_THAT(message("\n\nuv = \"s14\n"), HasSubstr("my.toml:3:"));  // no TOML
     EXPECT_THAT(message("\nuv = 1.5\n"), HasSubstr("my.toml:2:"));      // a wrong kind
     EXPECT_THAT(message("uv = \"u14.8\"\n"), HasSubstr("my.toml:1:"));  // a wrong value

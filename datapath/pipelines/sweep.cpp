@@ -1,0 +1,241 @@
+#include "datapath/pipelines/sweep.h"
+
+#include <type_traits>
+
+#include "datapath/pipelines/closed_form.h"
+
+namespace repousse {
+namespace {
+
+// Vertices of one base triangle that may pile up before those that nobody refers to are dropped.
+// Together they fit the second-level cache; the FIFOs refer to 512 at most.
+constexpr std::size_t kMostVertices = 4096;
+
+}  // namespace
+
+TriangleSetupOptions setup_options(const Profile& profile, bool use_bump) {
+    TriangleSetupOptions options;
+    options.adder = static_cast<AdderKind>(profile.adder_kind);
+    options.guard_bits = profile.guard_bits;
+    options.components = use_bump ? kSweepComponents : kPlainComponents;
+    return options;
+}
+
+SweepLineOptions sweep_options(const Profile& profile) {
+    SweepLineOptions options;
+    options.column_depth = profile.column_depth;
+    return options;
+}
+
+template <class P>
+SweepPipeline<P>::SweepPipeline(const Profile& profile, const SweepDraw<P>& draw)
+    : draw_(draw),
+      controller_(profile),
+      vertex_transform_(profile),
+      grid_transform_(profile),
+      triangle_setup_(setup_options(profile, draw.registers.use_bump)),
+      sweep_line_(sweep_options(profile)),
+      perspective_(profile),
+      displace_(profile),
+      corners_(draw.vertices.size()),
+      steps_(kBatchSteps) {
+    const SweepRegisters<P>& registers = draw.registers;
+    const MapView<P> map = draw.view();
+    controller_.configure(static_cast<uint32_t>(draw.vertices.size()), registers.use_bump);
+    vertex_transform_.configure(draw.camera);
+    GridRegisters<P> grid = registers.grid;
+    grid.table = draw.z_table;
+    grid_transform_.configure(grid);
+    if (registers.use_clip) {
+        view_clip_.emplace(profile);
+        view_clip_->configure(registers.clip);
+    }
+    triangle_setup_.configure(registers.setup);
+    perspective_.configure(registers.use_bump);
+    displace_.configure(map);
+    if (registers.use_bump) {
+        bump_.emplace(profile);
+        bump_->configure(map);
+    }
+}
+
+template <class P>
+bool SweepPipeline<P>::run(const Emit& emit) {
+    for (const SweepBase<P>& triangle : draw_.triangles) {
+        const OrderToken token = controller_(triangle.vertices, triangle.direct);
+        if (controller_.bad_index()) break;
+        if (!triangle_buffer_.expect(token)) {
+            drain(emit);
+            triangle_buffer_.expect(token);
+        }
+        if (triangle.direct) {
+            pass(token.base, triangle, emit);
+        } else {
+            remesh(token.base, triangle, emit);
+            triangle_buffer_.finish();
+        }
+    }
+    drain(emit);
+    return !controller_.bad_index() && !sweep_line_.runaway();
+}
+
+template <class P>
+void SweepPipeline<P>::transform(uint32_t vertex) {
+    Corner& corner = corners_[vertex];
+    if (corner.ready) return;
+    corner.ready = true;
+    const Vertex<P>& base = draw_.vertices[vertex];
+    corner.eye = vertex_transform_.eye(base.position);
+    const GridPoint<P> point = grid_transform_(corner.eye);
+    corner.slot = triangle_setup_.slot(point.position);
+    grid_transform_.scale(base, point.c, draw_.registers.use_bump, corner.data);
+}
+
+template <class P>
+void SweepPipeline<P>::pass(uint32_t base, const SweepBase<P>& triangle, const Emit& emit) {
+    SweepOutput<P> out;
+    out.base = base;
+    for (std::size_t k = 0; k < 3; ++k) {
+        out.corners[k] =
+            controller_.undisplaced(draw_.vertices[triangle.vertices[k]], static_cast<uint8_t>(k));
+    }
+    if (triangle_buffer_.push_direct(out)) return;
+    drain(emit);
+    triangle_buffer_.push_direct(out);
+}
+
+// ---- one base triangle --------------------------------------------------------------------------
+
+// False: clipped away.
+template <class P>
+bool SweepPipeline<P>::set_up(const SweepBase<P>& triangle) {
+    std::array<EyePoint<P>, 3> eye;
+    std::array<SweepCorner, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const uint32_t vertex = triangle.vertices[k];
+        transform(vertex);
+        const Corner& corner = corners_[vertex];
+        eye[k] = corner.eye;
+        corners[k].id = vertex;
+        corners[k].slot = corner.slot;
+        if constexpr (std::is_same_v<P, Fixed>) corners[k].data = corner.data;
+    }
+    if (view_clip_ && (*view_clip_)(eye, triangle.max_displacement)) return false;
+    triangle_setup_(corners, triangle_);
+    return true;
+}
+
+template <class P>
+void SweepPipeline<P>::remesh(uint32_t base, const SweepBase<P>& triangle, const Emit& emit) {
+    if (!set_up(triangle)) return;
+    fine_.clear();
+    sweep_line_.load(triangle_);
+    while (sweep_line_.busy()) {
+        std::size_t count = 0;
+        while (count < kBatchSteps && sweep_line_.step(steps_[count])) ++count;
+        const Span<const SweepStep> batch(steps_.data(), count);
+        if (fine_.size() > kMostVertices) renumber();
+        first_new_ = fine_.size();
+        finish_vertices(triangle, batch);
+        build_strips(batch);
+        enter(base, emit);
+    }
+    // A triangle that was given up may leave vertices in the FIFOs that nobody will ask for.
+    if (sweep_line_.runaway()) strip_.flush();
+}
+
+template <class P>
+void SweepPipeline<P>::finish_vertices(const SweepBase<P>& triangle, Span<const SweepStep> steps) {
+    FineVertex<P> fine;
+    for (const SweepStep& step : steps) {
+        for (std::size_t i = 0; i < step.vertex_count; ++i) {
+            const SweepVertex& vertex = step.vertices[i];
+            if constexpr (std::is_same_v<P, Fixed>) {
+                perspective_(vertex.data, vertex.name, fine);
+            } else {
+                const auto data = [&](std::size_t corner) -> const Data& {
+                    return corners_[triangle.vertices[corner]].data;
+                };
+                perspective_(closed_form(triangle_, vertex.name, data(0), data(1), data(2)),
+                             vertex.name, fine);
+            }
+            fine.displaced = displace_(fine.position, fine.normal, fine.uv);
+            if (bump_) (*bump_)(fine);
+            fine_.push_back({fine.name, fine.uv, fine.displaced, fine.displaced_normal});
+        }
+    }
+}
+
+template <class P>
+void SweepPipeline<P>::build_strips(Span<const SweepStep> steps) {
+    made_.clear();
+    auto next = static_cast<uint32_t>(first_new_);
+    std::array<uint32_t, 4> numbers{};
+    StripTriangles<uint32_t> triangles;
+    for (const SweepStep& step : steps) {
+        for (std::size_t i = 0; i < step.vertex_count; ++i) numbers[i] = next++;
+        strip_(step.strip, {numbers.data(), step.vertex_count}, triangles);
+        for (std::size_t i = 0; i < triangles.count; ++i) made_.push_back(triangles.triangles[i]);
+    }
+}
+
+// Drops the vertices that the strip does not hold any more.
+template <class P>
+void SweepPipeline<P>::renumber() {
+    constexpr auto kNone = static_cast<uint32_t>(-1);
+    numbers_.assign(fine_.size(), kNone);
+    kept_.clear();
+    strip_.for_each([&](uint32_t& number) {
+        // Registers may still have a vertex of the last base triangle, which is not referred to.
+        if (number >= numbers_.size()) return;
+        uint32_t& renumbered = numbers_[number];
+        if (renumbered == kNone) {
+            renumbered = static_cast<uint32_t>(kept_.size());
+            kept_.push_back(fine_[number]);
+        }
+        number = renumbered;
+    });
+    fine_.swap(kept_);
+}
+
+// Into the triangle buffer, which is emptied when it is full; made in the places where they wait.
+template <class P>
+void SweepPipeline<P>::enter(uint32_t base, const Emit& emit) {
+    for (std::size_t done = 0; done < made_.size();) {
+        done += triangle_buffer_.push(made_.size() - done,
+                                      [&](std::size_t i, SweepOutput<P>& triangle) {
+                                          const auto& [a, b, c] = made_[done + i];
+                                          triangle.base = base;
+                                          triangle.corners = {fine_[a], fine_[b], fine_[c]};
+                                      });
+        if (done < made_.size()) drain(emit);
+    }
+}
+
+template <class P>
+void SweepPipeline<P>::drain(const Emit& emit) {
+    triangle_buffer_.drain([&emit](Span<const SweepOutput<P>> triangles) { emit(triangles); });
+}
+
+template <class P>
+SweepCounters SweepPipeline<P>::counters() const {
+    SweepCounters counters;
+    counters.controller = controller_.counters();
+    counters.vertex_transform = vertex_transform_.counters();
+    counters.grid_transform = grid_transform_.counters();
+    if (view_clip_) counters.view_clip = view_clip_->counters();
+    counters.triangle_setup = triangle_setup_.counters();
+    counters.sweep_line = sweep_line_.counters();
+    counters.perspective = perspective_.counters();
+    counters.normalise = perspective_.normalise_counters();
+    counters.displace = displace_.counters();
+    if (bump_) counters.bump = bump_->counters();
+    counters.strip = strip_.counters();
+    counters.triangle_buffer = triangle_buffer_.counters();
+    return counters;
+}
+
+template class SweepPipeline<Fixed>;
+template class SweepPipeline<Real>;
+
+}  // namespace repousse

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "datapath/map_view.h"
+#include "datapath/pipelines/draw.h"
+#include "datapath/sweep_items.h"
+#include "datapath/units/grid_transform.h"
+#include "datapath/units/triangle_setup.h"
+#include "datapath/units/view_clip.h"
+
+namespace repousse {
+
+/// The registers of sweep-line remeshing.
+template <class P>
+struct SweepRegisters {
+    bool use_bump = false;  ///< displaced normals are wanted: 13 components, else 9
+    bool use_clip = true;   ///< trivially reject triangles outside the extended view volume
+    GridRegisters<P> grid;
+    ClipRegisters<P> clip;
+    TriangleSetupRegisters setup;
+};
+
+/// A base triangle as the controller reads it.
+template <class P>
+struct SweepBase {
+    std::array<uint32_t, 3> vertices{};
+    typename P::Value max_displacement{};  ///< displacement format, >= |D| anywhere on it
+    bool direct = false;                   ///< not displaced: straight to the triangle buffer
+};
+
+/// All that the device gets for one object that is remeshed by sweep lines.
+template <class P>
+struct SweepDraw {
+    std::vector<Vertex<P>> vertices;  ///< uv, position, normal, tangent, handedness
+    std::vector<SweepBase<P>> triangles;
+    MapTables<P> tables;
+    MapView<P> map;  ///< its spans are set by `view()`
+    ViewRegisters<P> camera;
+    SweepRegisters<P> registers;
+    std::vector<uint32_t> z_table;  ///< ZTableKind::Uniform only
+
+    /// The map registers with the spans of this draw's own tables.
+    MapView<P> view() const {
+        MapView<P> bound = map;
+        bound.heights = tables.heights;
+        bound.normals = tables.normals;
+        return bound;
+    }
+};
+
+/// A fine triangle on its way out: base triangle, then the order in which strips made it.
+template <class P>
+struct SweepOutput {
+    uint32_t base = 0;
+    std::array<SweepOutputVertex<P>, 3> corners;
+};
+
+}  // namespace repousse
