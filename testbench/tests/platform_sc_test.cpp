@@ -5,13 +5,12 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <tuple>
 
+#include "testbench/host/draw.h"
 #include "testbench/host/map/procedural_map.h"
 #include "testbench/host/mesh/procedural_mesh.h"
-#include "testbench/tests/support/adaptive_run.h"
+#include "testbench/tests/support/platform_run.h"
 #include "testbench/tests/support/profiles.h"
-#include "tlm/platform/platform.h"
 
 namespace repousse {
 namespace {
@@ -52,60 +51,12 @@ host::AdaptiveSettings all_tests() {
 }
 
 DeviceConfig config_for(const Profile& profile, const AdaptiveDraw<Fixed>& draw) {
-    DeviceConfig config;
-    config.profile = profile;
-    config.view_test = draw.registers.use_view_test;
-    config.normal_test = draw.registers.use_normal_test;
-    config.height_test = draw.registers.use_height_test;
-    config.bump = draw.registers.use_bump;
-    return config;
-}
-
-auto corner_key(const OutputVertex<Fixed>& v) {
-    return std::make_tuple(v.uv.x, v.uv.y, v.displaced.x, v.displaced.y, v.displaced.z,
-                           v.displaced_normal.x, v.displaced_normal.y, v.displaced_normal.z,
-                           v.generation);
-}
-
-bool same(const OutputTriangle<Fixed>& a, const OutputTriangle<Fixed>& b) {
-    for (std::size_t k = 0; k < 3; ++k) {
-        if (corner_key(a.corners[k]) != corner_key(b.corners[k])) return false;
-    }
-    return a.path.base == b.path.base && a.path.depth == b.path.depth &&
-           a.path.digits == b.path.digits;
-}
-
-// Runs the platform in this process and compares; the status for exit().
-int compare(const DeviceConfig& config, const AdaptiveDraw<Fixed>& draw,
-            const shell::PlatformOptions& options) {
-    std::vector<OutputTriangle<Fixed>> expected;
-    AdaptivePipeline<Fixed> pipeline(config.profile, draw);
-    pipeline.run([&](Span<const OutputTriangle<Fixed>> triangles) {
-        expected.insert(expected.end(), triangles.begin(), triangles.end());
-    });
-    auto platform = shell::Platform::create(config, {draw}, options);
-    // Twice: a run leaves nothing behind that the next one could see.
-    const auto first = platform->run({draw});
-    const auto result = platform->run({draw});
-    if (!first || !result) {
-        std::fprintf(stderr, "%s\n", result.error().message().c_str());
-        return 2;
-    }
-    const auto& found = result->triangles.at(0);
-    bool equal = found.size() == expected.size() && result->cycles > 0 &&
-                 result->cycles == first->cycles && result->simulated_ns == first->simulated_ns;
-    for (std::size_t i = 0; equal && i < found.size(); ++i) equal = same(found[i], expected[i]);
-    for (const CounterRow& row : pipeline.counters().rows()) {
-        for (const CounterRow& other : result->counters.rows()) {
-            if (row.unit == other.unit && row.name == other.name) equal &= row.value == other.value;
-        }
-    }
-    return equal ? 0 : 1;
+    return test::config_for(profile, {draw});
 }
 
 void expect_equal(const DeviceConfig& config, const AdaptiveDraw<Fixed>& draw,
                   const shell::PlatformOptions& options = {}) {
-    EXPECT_EXIT(std::exit(compare(config, draw, options)), testing::ExitedWithCode(0), "");
+    EXPECT_EXIT(std::exit(test::compare(config, {draw}, options)), testing::ExitedWithCode(0), "");
 }
 
 TEST(Platform, AllTestsGiveTheBareLoopsBytes) {
@@ -155,7 +106,7 @@ TEST(Platform, MissingUnitIsReported) {
     const auto draw = donut_draw(profile, all_tests());
     DeviceConfig config = config_for(profile, draw);
     config.height_test = false;
-    EXPECT_EXIT(std::exit(compare(config, draw, {})), testing::ExitedWithCode(2),
+    EXPECT_EXIT(std::exit(test::compare(config, {draw})), testing::ExitedWithCode(2),
                 "needs a unit that was not built");
 }
 

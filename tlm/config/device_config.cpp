@@ -10,17 +10,26 @@ struct Choice {
 
 std::vector<std::string_view> units_where(const DeviceConfig& c, bool built) {
     const Choice choices[] = {
-        {"triangle_stack", true},
-        {"edge_iter", true},
-        {"mid_vertex", true},
-        {"texcoord_test", true},
-        {"view_test", c.view_test},
-        {"bump", c.bump},
-        {"normal_test", c.normal_test},
-        {"height_test", c.height_test},
-        {"split", true},
-        {"displace", true},
-        {"vertex_transform", c.view_test},
+        {"controller", c.has_controller()},
+        {"triangle_stack", c.adaptive},
+        {"edge_iter", c.adaptive},
+        {"mid_vertex", c.adaptive},
+        {"texcoord_test", c.adaptive},
+        {"view_test", c.adaptive && c.view_test},
+        {"normal_test", c.adaptive && c.normal_test},
+        {"height_test", c.adaptive && c.height_test},
+        {"split", c.adaptive},
+        {"vertex_transform", c.has_vertex_transform()},
+        {"grid_transform", c.sweep},
+        {"view_clip", c.sweep && c.view_clip},
+        {"triangle_setup", c.sweep},
+        {"sweep_line", c.sweep},
+        {"perspective", c.sweep},
+        {"normalise", c.sweep},
+        {"bump", c.has_bump()},
+        {"displace", c.has_displace()},
+        {"strip", c.sweep},
+        {"triangle_buffer", c.has_controller()},
     };
     std::vector<std::string_view> units;
     for (const Choice& choice : choices) {

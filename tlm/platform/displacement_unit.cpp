@@ -5,24 +5,10 @@
 namespace repousse::shell {
 
 DisplacementUnit::DisplacementUnit(const sc_core::sc_module_name& name, const DeviceConfig& config)
-    : sc_module(name),
-      config_(config),
-      clock_period_(config.clock_period_ns, sc_core::SC_NS),
-      triangle_stack_("triangle_stack", config.contexts),
-      edge_iter_("edge_iter"),
-      mid_vertex_("mid_vertex", config.profile),
-      texcoord_test_("texcoord_test", config.profile),
-      split_("split", config.profile),
-      displace_("displace", config.profile) {
-    const Profile& profile = config.profile;
-    if (config.view_test) {
-        view_test_ = std::make_unique<ViewTest>("view_test", profile);
-        vertex_transform_ = std::make_unique<VertexTransform>("vertex_transform", profile);
-    }
-    if (config.bump || config.normal_test) bump_ = std::make_unique<Bump>("bump", profile);
-    if (config.normal_test) normal_test_ = std::make_unique<NormalTest>("normal_test", profile);
-    if (config.height_test) height_test_ = std::make_unique<HeightTest>("height_test", profile);
-    connect();
+    : sc_module(name), clock_period_(config.clock_period_ns, sc_core::SC_NS), shared_(config) {
+    FrameHost& host = *this;
+    if (config.adaptive) adaptive_ = std::make_unique<AdaptivePath>(config, shared_, host);
+    if (config.has_controller()) sweep_ = std::make_unique<SweepPath>(config, shared_, host);
 
     registers.register_b_transport(this, &DisplacementUnit::b_transport);
     registers.register_transport_dbg(this, &DisplacementUnit::transport_dbg);
@@ -35,79 +21,41 @@ DisplacementUnit::DisplacementUnit(const sc_core::sc_module_name& name, const De
     sc_core::sc_spawn(drive, "drive_interrupt", &options);
 }
 
-// The chain in the hardware's order (Doggett and Hirche, figure 8): the serial tests, the decision,
-// what only new vertices need. A unit that was not built leaves no gap.
-void DisplacementUnit::connect() {
-    EdgePlace* last = &edge_iter_;
-    const auto then = [&last](EdgePlace& place) {
-        last->out.bind(place.in);
-        last = &place;
-    };
-    triangle_stack_.out.bind(edge_iter_.in);
-    then(mid_vertex_.topology);
-    then(texcoord_test_);
-    if (view_test_) then(*view_test_);
-    if (normal_test_) {
-        then(mid_vertex_.before_test);
-        then(bump_->before_test);
-        then(*normal_test_);
+// The shared units count for both paths: their numbers must enter the sum once.
+std::vector<CounterRow> DisplacementUnit::counters() const {
+    std::vector<CounterRow> rows;
+    if (adaptive_) rows = adaptive_->counters().rows();
+    if (!sweep_) return rows;
+    SweepCounters sweep = sweep_->counters();
+    if (adaptive_) {
+        sweep.displace = {};
+        if (sweep.bump) sweep.bump = BumpCounters{};
+        sweep.vertex_transform = {};
     }
-    if (height_test_) then(*height_test_);
-    then(split_);
-    then(mid_vertex_.after_split);
-    if (bump_) then(bump_->after_split);
-    then(displace_);
-    if (vertex_transform_) then(*vertex_transform_);
-    triangle_stack_.children.bind(split_.children);
-
-    BasePlace* last_base = &displace_;
-    triangle_stack_.base_out.bind(displace_.base_in);
-    const auto then_base = [&last_base](BasePlace& place) {
-        last_base->base_out.bind(place.base_in);
-        last_base = &place;
-    };
-    if (bump_) then_base(*bump_);
-    if (vertex_transform_) then_base(*vertex_transform_);
+    merge_rows(rows, sweep.rows());
+    return rows;
 }
 
-AdaptiveCounters DisplacementUnit::counters() const {
-    AdaptiveCounters c;
-    c.stack_peak = triangle_stack_.peak();
-    c.edge_iter = edge_iter_.counters();
-    c.mid_vertex = mid_vertex_.counters();
-    c.texcoord_test = texcoord_test_.counters();
-    c.displace = displace_.counters();
-    c.split = split_.counters();
-    if (vertex_transform_) c.vertex_transform = vertex_transform_->counters();
-    if (view_test_) c.view_test = view_test_->counters();
-    if (bump_) c.bump = bump_->counters();
-    if (normal_test_) c.normal_test = normal_test_->counters();
-    if (height_test_) {
-        c.height_test = height_test_->counters();
-        c.height_test_reads = height_test_->stats().reads;
-    }
-    return c;
+BusyTable DisplacementUnit::busy() const {
+    BusyTable total;
+    if (adaptive_) total.add(adaptive_->busy());
+    if (sweep_) total.add(sweep_->busy());
+    return total;
 }
 
 void DisplacementUnit::reset() {
     file_ = {};
-    frame_ = {};
+    frame_.clear();
     status_ = error_ = output_count_ = 0;
     cycles_ = 0;
     interrupt_level_ = false;
     interrupt_event_.notify(sc_core::SC_ZERO_TIME);
     memory_port.clear();
-    triangle_stack_.reset();
-    edge_iter_.reset();
-    mid_vertex_.reset();
-    texcoord_test_.reset();
-    displace_.reset();
-    split_.reset();
-    if (vertex_transform_) vertex_transform_->reset();
-    if (view_test_) view_test_->reset();
-    if (bump_) bump_->reset();
-    if (normal_test_) normal_test_->reset();
-    if (height_test_) height_test_->reset();
+    if (shared_.displace) shared_.displace->reset();
+    if (shared_.bump) shared_.bump->reset();
+    if (shared_.vertex_transform) shared_.vertex_transform->reset();
+    if (adaptive_) adaptive_->reset();
+    if (sweep_) sweep_->reset();
 }
 
 uint32_t DisplacementUnit::read_register(uint32_t index) const {
@@ -115,7 +63,7 @@ uint32_t DisplacementUnit::read_register(uint32_t index) const {
         case kId:
             return kIdValue;
         case kStatus:
-            return status_;
+            return status_ | (sweep_ ? sweep_->status() : 0);
         case kErrorCode:
             return error_;
         case kOutputCount:
@@ -130,20 +78,37 @@ uint32_t DisplacementUnit::read_register(uint32_t index) const {
 }
 
 void DisplacementUnit::write_register(uint32_t index, uint32_t value) {
-    const bool busy = (status_ & kStatusBusy) != 0;
-    file_[index] = index == kControl ? value & 1 : value;
-    if (index == kControl && (value & 2) != 0 && !busy) {
-        reset();
-    } else if (index == kDoorbell && value == kStart && !busy) {
-        std::copy(file_.begin(), file_.begin() + kFrameEnd, frame_.begin());
-        status_ = kStatusBusy;
-        error_ = kNoError;
-        start_event_.notify(sc_core::SC_ZERO_TIME);
-    } else if (index == kDoorbell && value == kDrained && (status_ & kStatusOutputFull) != 0) {
-        drained_event_.notify(sc_core::SC_ZERO_TIME);
+    file_[index] = value;
+    if (index == kControl) {
+        control(value);
+    } else if (index == kDoorbell) {
+        ring(value);
     } else if (index == kInterrupt) {
         interrupt_level_ = false;
         interrupt_event_.notify(sc_core::SC_ZERO_TIME);
+    }
+}
+
+void DisplacementUnit::control(uint32_t value) {
+    const bool busy = (status_ & kStatusBusy) != 0;
+    file_[kControl] = value & kControlInterrupts;
+    if ((value & kControlReset) != 0 && !busy) {
+        reset();
+    } else if ((value & kControlAbort) != 0 && busy) {
+        abort_ = true;
+        drained_event_.notify(sc_core::SC_ZERO_TIME);
+    }
+}
+
+void DisplacementUnit::ring(uint32_t bell) {
+    if (bell == kStart && (status_ & kStatusBusy) == 0) {
+        frame_.latch(file_);
+        status_ = kStatusBusy;
+        error_ = kNoError;
+        abort_ = false;
+        start_event_.notify(sc_core::SC_ZERO_TIME);
+    } else if (bell == kDrained && (status_ & kStatusOutputFull) != 0) {
+        drained_event_.notify(sc_core::SC_ZERO_TIME);
     }
 }
 

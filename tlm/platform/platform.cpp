@@ -46,8 +46,7 @@ Platform::Platform(std::unique_ptr<Modules> modules) : modules_(std::move(module
 Platform::Platform(Platform&&) noexcept = default;
 Platform::~Platform() = default;
 
-Result<Platform> Platform::create(const DeviceConfig& config,
-                                  const std::vector<AdaptiveDraw<Fixed>>& largest,
+Result<Platform> Platform::create(const DeviceConfig& config, const std::vector<Draw>& largest,
                                   const PlatformOptions& options) {
     if (sc_core::sc_get_status() != sc_core::SC_ELABORATION) {
         return Error{ErrorKind::Environment,
@@ -66,7 +65,7 @@ Result<Platform> Platform::create(const DeviceConfig& config,
     AddressMap map;
     map.device = kDeviceBase;
     map.output_capacity = options.output_capacity;
-    for (const AdaptiveDraw<Fixed>& draw : largest) {
+    for (const Draw& draw : largest) {
         map.memory_bytes = std::max(map.memory_bytes, buffer_bytes(draw, options.output_capacity));
     }
     tlm::tlm_global_quantum::instance().set(sc_core::sc_time(options.quantum_ns, sc_core::SC_NS));
@@ -74,17 +73,17 @@ Result<Platform> Platform::create(const DeviceConfig& config,
 }
 
 // The kernel returns when nothing is left to happen: the driver has everything and sleeps.
-Result<PlatformResult> Platform::run(const std::vector<AdaptiveDraw<Fixed>>& draws) {
+Result<PlatformResult> Platform::run(const std::vector<Draw>& draws) {
     const sc_core::sc_time start(sc_core::sc_time_stamp());
     modules_->driver.start(draws);
     sc_core::sc_start();
     if (!modules_->driver.status()) return modules_->driver.status().error();
     PlatformResult result;
-    result.triangles = modules_->driver.take_outputs();
+    result.outputs = modules_->driver.take_outputs();
     result.counters = modules_->device.counters();
     result.cycles = modules_->device.cycles();
-    const Span<const UnitBusy> busy = modules_->device.busy().rows();
-    result.busy.assign(busy.begin(), busy.end());
+    const BusyTable busy = modules_->device.busy();
+    result.busy.assign(busy.rows().begin(), busy.rows().end());
     result.simulated_ns = (sc_core::sc_time_stamp() - start).to_seconds() * 1e9;
     return result;
 }

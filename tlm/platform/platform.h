@@ -6,20 +6,19 @@
 
 #include "datapath/error.h"
 #include "datapath/pipelines/adaptive_counters.h"
-#include "datapath/pipelines/contexts.h"
-#include "datapath/pipelines/draw.h"
 #include "tlm/batch_time.h"
 #include "tlm/config/device_config.h"
+#include "tlm/platform/driver.h"
 
 namespace repousse::shell {
 
 /// What a run of the platform left behind.
 struct PlatformResult {
-    std::vector<std::vector<OutputTriangle<Fixed>>> triangles;  ///< a list for each draw
-    AdaptiveCounters counters;                                  ///< of this run
-    uint64_t cycles = 0;                                        ///< of the device, in this run
-    std::vector<UnitBusy> busy;                                 ///< cycles by unit
-    double simulated_ns = 0;                                    ///< upload and driver included
+    std::vector<DrawOutput> outputs;   ///< one for each draw
+    std::vector<CounterRow> counters;  ///< of this run
+    uint64_t cycles = 0;               ///< of the device, in this run
+    std::vector<UnitBusy> busy;        ///< cycles by unit
+    double simulated_ns = 0;           ///< upload and driver included
 };
 
 /// Choices of the platform around the device.
@@ -38,14 +37,13 @@ class Platform {
 public:
     /// Elaborates. `largest` sizes the memory: every draw that will be run must fit what these
     /// draws need. Refused if the kernel has already started.
-    static Result<Platform> create(const DeviceConfig& config,
-                                   const std::vector<AdaptiveDraw<Fixed>>& largest,
+    static Result<Platform> create(const DeviceConfig& config, const std::vector<Draw>& largest,
                                    const PlatformOptions& options = {});
     Platform(Platform&&) noexcept;
     ~Platform();
 
     /// Plays the draws one after the other.
-    Result<PlatformResult> run(const std::vector<AdaptiveDraw<Fixed>>& draws);
+    Result<PlatformResult> run(const std::vector<Draw>& draws);
 
 private:
     struct Modules;

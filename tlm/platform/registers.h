@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 namespace repousse::shell {
@@ -11,7 +10,7 @@ namespace repousse::shell {
 /// one runs.
 enum Register : uint32_t {
     kId,         ///< read only: kIdValue
-    kControl,    ///< bit 0: interrupts enabled; bit 1: reset to the power-on state (self-clearing)
+    kControl,    ///< the ControlBits
     kDoorbell,   ///< write kStart or kDrained
     kStatus,     ///< read only: the StatusBits
     kInterrupt,  ///< write 1: acknowledge
@@ -42,7 +41,7 @@ enum Register : uint32_t {
     kOutputCapacity,  ///< triangles that fit the output buffer
     kVerticesLo,      ///< address of VertexRecord[]
     kVerticesHi,
-    kIndicesLo,  ///< address of uint32_t[3 * triangles]
+    kIndicesLo,  ///< address of uint32_t[3 * triangles]; sweep: of SweepRecord[triangles]
     kIndicesHi,
     kHeightsLo,  ///< address of uint16_t[width * height]
     kHeightsHi,
@@ -52,6 +51,28 @@ enum Register : uint32_t {
     kSumsHi,
     kOutputLo,  ///< address of OutputRecord[]
     kOutputHi,
+
+    // Sweep-line remeshing.
+    kGridFocalX,  ///< raw `focal`: grid units per unit of x/w
+    kGridFocalY,
+    kWMin,            ///< raw `clip`, > 0
+    kWScale,          ///< raw `clip`, >= kWMin
+    kStepsPerOctave,  ///< raw `steps_per_octave`
+    kLog2Near,        ///< s6.20
+    kZTableNear,      ///< raw `clip`; this and the next four: the uniform depth table only
+    kZTableScale,     ///< 2^19 .. 2^20 - 1
+    kZTableShift,     ///< 0 .. 63
+    kZTableLo,        ///< address of uint32_t[2^z_table_index_bits + 1]
+    kZTableHi,
+    kGuard,        ///< clamp of corners, grid units, 1 to 4096
+    kZOffset,      ///< grid units, s14
+    kClipNear,     ///< raw `clip`
+    kClipFar,      ///< raw `clip`
+    kClipCosineX,  ///< raw `view_row`, with the next three the planes at the sides
+    kClipSineX,
+    kClipCosineY,
+    kClipSineY,
+    kClipMargin,  ///< raw `clip`
     kFrameEnd,
 
     kOutputCount = kFrameEnd,  ///< read only: triangles in the output buffer
@@ -61,6 +82,12 @@ enum Register : uint32_t {
 };
 
 inline constexpr uint32_t kIdValue = 0x52505331;  ///< "RPS1"
+
+enum ControlBit : uint32_t {
+    kControlInterrupts = 1,  ///< enabled
+    kControlReset = 2,       ///< to the power-on state, self-clearing; ignored while busy
+    kControlAbort = 4,       ///< end the frame that runs, self-clearing
+};
 
 enum Doorbell : uint32_t {
     kStart = 1,    ///< run a frame
@@ -72,6 +99,8 @@ enum StatusBit : uint32_t {
     kStatusDone = 2,        ///< the frame is complete
     kStatusOutputFull = 4,  ///< waits for kDrained
     kStatusError = 8,       ///< the frame was not run, or not to its end
+    kStatusRunaway = 16,    ///< the sweep line gave a triangle up; until reset
+    kStatusBadRef = 32,     ///< the stripping unit was asked for a vertex it has not; until reset
 };
 
 enum FrameError : uint32_t {
@@ -81,6 +110,8 @@ enum FrameError : uint32_t {
     kMemoryError,    ///< an access was answered with an error
     kStackOverflow,  ///< the stack's bound did not hold
     kBadIndex,       ///< an index names no vertex
+    kAborted,        ///< by kControlAbort
+    kBadDescriptor,  ///< a base triangle's displacement or flags are out of range
 };
 
 enum Feature : uint32_t {
@@ -95,31 +126,8 @@ enum Feature : uint32_t {
     kSumMode = 1 << 8,
     kWrap = 1 << 9,
     kBilinear = 1 << 10,
+    kSweep = 1 << 11,    ///< sweep-line remeshing instead of adaptive tessellation
+    kUseClip = 1 << 12,  ///< sweep: clip base triangles
 };
-
-/// A base vertex in memory: raw values in the profile's formats.
-struct VertexRecord {
-    std::array<int32_t, 2> uv;
-    std::array<int32_t, 3> position;
-    std::array<int32_t, 3> normal;
-    std::array<int32_t, 3> tangent;
-    int32_t handedness;  ///< +1 or -1
-};
-static_assert(sizeof(VertexRecord) == 48);
-
-/// A finished triangle in memory.
-struct OutputRecord {
-    struct Corner {
-        std::array<int32_t, 2> uv;
-        std::array<int32_t, 3> displaced;
-        std::array<int32_t, 3> displaced_normal;
-        uint32_t generation;
-    };
-    uint32_t base;  ///< index of the base triangle
-    uint32_t depth;
-    std::array<uint64_t, 2> digits;  ///< of the path, two bits each
-    std::array<Corner, 3> corners;
-};
-static_assert(sizeof(OutputRecord) == 136);
 
 }  // namespace repousse::shell

@@ -6,19 +6,23 @@ Bump::Bump(const sc_core::sc_module_name& name, const Profile& profile)
     : sc_module(name),
       before_test("before_test", [this](EdgeBatch& b, BatchTime& t) { make_normals(b, t, true); }),
       after_split("after_split", [this](EdgeBatch& b, BatchTime& t) { make_normals(b, t, false); }),
+      base("base", [this](Triangle<Fixed>& b, BatchTime& t) { make_all(b.corners, t); }),
+      fine("fine", [this](FineBatch& b, BatchTime& t) { make_all(b.vertices, t); }),
       unit_(profile) {}
 
 void Bump::disable() {
     before_test.enable(false);
     after_split.enable(false);
-    enable_base(false);
+    base.enable(false);
+    fine.enable(false);
 }
 
 void Bump::configure(const MapView<Fixed>& map, bool normal_test, bool eager) {
     unit_.configure(map);
     before_test.enable(normal_test);
     after_split.enable(!normal_test);
-    enable_base(true);
+    base.enable(true);
+    fine.enable(true);
     eager_ = eager;
 }
 
@@ -28,9 +32,10 @@ void Bump::make_normals(EdgeBatch& batch, BatchTime& time, bool for_test) {
     time.stage(kBumpDesc, unit_.counters().items - before);
 }
 
-void Bump::process_base(Triangle<Fixed>& triangle, BatchTime& time) {
-    for (Vertex<Fixed>& v : triangle.corners) unit_(v);
-    time.stage(kBumpDesc, triangle.corners.size());
+template <class Vertices>
+void Bump::make_all(Vertices& vertices, BatchTime& time) {
+    for (auto& v : vertices) unit_(v);
+    time.stage(kBumpDesc, vertices.size());
 }
 
 }  // namespace repousse::shell

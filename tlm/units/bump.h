@@ -4,13 +4,15 @@
 #include "datapath/units/bump.h"
 #include "datapath/units/bump_desc.h"
 #include "tlm/edge_stage.h"
+#include "tlm/sweep_stage.h"
 
 namespace repousse::shell {
 
 /// The bump mapping unit in the device: datapath/units/bump.h with its timing. It reads the normal
-/// map through a port of its own. Like mid_vertex's attributes, normals are made `before_test` or,
-/// in a frame without the normal test, `after_split`.
-class Bump : public sc_core::sc_module, public BasePlace {
+/// map through a port of its own. In adaptive tessellation normals are made, like mid_vertex's
+/// attributes, `before_test` or, in a frame without the normal test, `after_split`, and for the
+/// corners of `base` triangles; in sweep-line remeshing for `fine` vertices.
+class Bump : public sc_core::sc_module {
 public:
     Bump(const sc_core::sc_module_name& name, const Profile& profile);
 
@@ -24,10 +26,13 @@ public:
 
     EdgeCall before_test;
     EdgeCall after_split;
+    BaseCall base;
+    FineCall fine;
 
 private:
     void make_normals(EdgeBatch& batch, BatchTime& time, bool for_test);
-    void process_base(Triangle<Fixed>& triangle, BatchTime& time) override;
+    template <class Vertices>
+    void make_all(Vertices& vertices, BatchTime& time);
 
     repousse::Bump<Fixed> unit_;
     bool eager_ = false;

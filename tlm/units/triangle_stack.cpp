@@ -21,7 +21,7 @@ bool TriangleStack::run(const Frame& frame) {
     const auto fetch = [&](Triangle<Fixed>& place) {
         if (!frame.fetch(place)) return false;
         BatchTime base;
-        base_out->prepare(place, base);
+        base_out->put(place, base);
         time.ahead(base);
         return true;
     };
@@ -36,7 +36,7 @@ bool TriangleStack::run(const Frame& frame) {
         }
         lanes.flush(frame.emit);
         busy_.add(time.busy());
-        frame.elapse(time.cycles(n, contexts_));
+        if (!frame.elapse(time.cycles(n, contexts_))) break;
         time = {};
     }
     peak_ = std::max<uint64_t>(peak_, lanes.peak());

@@ -14,8 +14,8 @@ namespace repousse::shell {
 /// the batches going round. It is the start of both chains and where their results come back.
 class TriangleStack : public sc_core::sc_module {
 public:
-    sc_core::sc_port<BaseStage> base_out{"base_out"};
-    sc_core::sc_port<EdgeStage> out{"out"};
+    sc_core::sc_port<Stage<Triangle<Fixed>>> base_out{"base_out"};
+    sc_core::sc_port<Stage<EdgeBatch>> out{"out"};
     sc_core::sc_port<ChildrenSource> children{"children"};
 
     /// `contexts`: how many contexts the modelled device has; it sets the time, not the values.
@@ -27,10 +27,10 @@ public:
         int cap = 0;
         std::function<bool(Triangle<Fixed>&)> fetch;                  ///< the next base triangle
         std::function<void(Span<const OutputTriangle<Fixed>>)> emit;  ///< finished ones, in order
-        std::function<void(uint64_t cycles)> elapse;                  ///< called after each batch
+        std::function<bool(uint64_t cycles)> elapse;  ///< called after each batch; false: abort
     };
 
-    /// Works until no triangle is left. False if a stack's bound was broken.
+    /// Works until no triangle is left, or an abort. False if a stack's bound was broken.
     bool run(const Frame& frame);
 
     void reset() {

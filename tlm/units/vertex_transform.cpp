@@ -3,28 +3,41 @@
 namespace repousse::shell {
 
 VertexTransform::VertexTransform(const sc_core::sc_module_name& name, const Profile& profile)
-    : EdgePlace(name), unit_(profile) {}
+    : sc_module(name),
+      edges("edges", [this](EdgeBatch& batch,
+                            BatchTime& time) { timed(time, [&] { unit_.run(batch.edges); }); }),
+      base("base",
+           [this](Triangle<Fixed>& triangle, BatchTime& time) {
+               timed(time, [&] {
+                   for (Vertex<Fixed>& v : triangle.corners) v.screen = unit_(v.displaced);
+               });
+           }),
+      corners("corners",
+              [this](CornerBatch& batch, BatchTime& time) {
+                  timed(time, [&] {
+                      for (std::size_t i = 0; i < batch.vertices.size(); ++i) {
+                          batch.corners[i].eye = unit_.eye(batch.vertices[i].position);
+                      }
+                  });
+              }),
+      unit_(profile) {}
 
 void VertexTransform::disable() {
-    enable(false);
-    enable_base(false);
+    edges.enable(false);
+    base.enable(false);
 }
 
 void VertexTransform::configure(const ViewRegisters<Fixed>& camera) {
     unit_.configure(camera);
-    enable(true);
-    enable_base(true);
+    edges.enable(true);
+    base.enable(true);
 }
 
-void VertexTransform::process(EdgeBatch& batch, BatchTime& time) {
+template <class Work>
+void VertexTransform::timed(BatchTime& time, Work&& work) {
     const uint64_t before = unit_.counters().items;
-    unit_.run(batch.edges);
+    work();
     time.stage(kVertexTransformDesc, unit_.counters().items - before);
-}
-
-void VertexTransform::process_base(Triangle<Fixed>& triangle, BatchTime& time) {
-    for (Vertex<Fixed>& v : triangle.corners) v.screen = unit_(v.displaced);
-    time.stage(kVertexTransformDesc, triangle.corners.size());
 }
 
 }  // namespace repousse::shell

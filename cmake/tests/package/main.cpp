@@ -108,6 +108,7 @@ int sc_main(int, char*[]) {
     if (!profile) return 1;
     repousse::DeviceConfig config;
     config.profile = *profile;
+    config.adaptive = true;
 
     sc_core::sc_signal<bool> interrupt{"interrupt"};
     device::DisplacementUnit unit("unit", config);
