@@ -7,53 +7,13 @@
 
 #include "datapath/pipelines/adaptive.h"
 #include "testbench/bench/best_rounds.h"
-#include "testbench/host/draw.h"
-#include "testbench/host/scene/assets.h"
-#include "tlm/config/profile_reader.h"
-#include "tlm/platform/platform.h"
+#include "testbench/bench/workload.h"
 
 namespace {
 
 using namespace repousse;
 
 constexpr const char* kScene = "scenes/jacksboro.toml";
-
-/// The scene's first object, loaded once for all rows.
-struct Workload {
-    Profile profile;
-    Profile reference;
-    std::vector<AdaptiveDraw<Fixed>> fixed;
-    std::vector<AdaptiveDraw<Real>> real;
-};
-
-Result<Workload> load() {
-    const auto scene = host::read_scene(kScene);
-    if (!scene) return scene.error();
-    const auto profile = shipped_profile(scene->profile);
-    if (!profile) return profile.error();
-    const host::Object& object = scene->objects.front();
-    const auto mesh = host::load_mesh(object);
-    if (!mesh) return mesh.error();
-    const auto map = host::load_map(object, {});
-    if (!map) return map.error();
-    host::DrawInputs inputs;
-    inputs.mesh = &*mesh;
-    inputs.map = &*map;
-    inputs.settings = object.adaptive;
-    inputs.filter = object.map.filter;
-    inputs.uv = object.map.uv;
-    inputs.bump = object.bump;
-    inputs.texel_size = host::texel_size(*mesh, *map, object.map.uv);
-    inputs.view = host::view_frame(scene->camera, scene->viewport);
-    Workload work{*profile, host::reference_profile(*profile), {}, {}};
-    auto fixed = host::make_draw<Fixed>(work.profile, inputs);
-    auto real = host::make_draw<Real>(work.reference, inputs);
-    if (!fixed) return fixed.error();
-    if (!real) return real.error();
-    work.fixed.push_back(std::move(*fixed));
-    work.real.push_back(std::move(*real));
-    return work;
-}
 
 template <class P>
 std::vector<OutputTriangle<P>> bare_loop(const Profile& profile, const AdaptiveDraw<P>& draw,
@@ -71,7 +31,8 @@ std::vector<OutputTriangle<P>> bare_loop(const Profile& profile, const AdaptiveD
 }  // namespace
 
 int main(int argc, char** argv) {
-    const Result<Workload> work = load();
+    bench::keep_freed_memory();
+    const Result<bench::Workload> work = bench::load_workload(kScene);
     if (!work) {
         std::fprintf(stderr, "adaptive_bench: %s\n", work.error().message().c_str());
         return 2;
@@ -83,15 +44,16 @@ int main(int argc, char** argv) {
     if (!platform) return 3;
 
     constexpr int kBatch = int(kBatchTriangles);
-    const auto& draw = work->fixed.front();
+    const auto& draw = std::get<AdaptiveDraw<Fixed>>(work->fixed.front());
+    const auto& real = std::get<AdaptiveDraw<Real>>(work->real.front());
     const auto row = [](const char* name, auto function) {
         return bench::Row{name, [function] { benchmark::DoNotOptimize(function()); }};
     };
     const std::vector<bench::Row> rows = {
         row("bare loop, in batches", [&] { return bare_loop(work->profile, draw, kBatch); }),
         row("bare loop, triangle by triangle", [&] { return bare_loop(work->profile, draw, 1); }),
-        row("level lt", [&] { return platform->run(work->fixed)->triangles; }),
-        row("level ref", [&] { return bare_loop(work->reference, work->real.front(), kBatch); }),
+        row("level lt", [&] { return std::move(platform->run(work->fixed)->outputs); }),
+        row("level ref", [&] { return bare_loop(work->reference, real, kBatch); }),
     };
     const double triangles = double(bare_loop(work->profile, draw, kBatch).size());
     std::printf("%s: %.0f triangles\n", kScene, triangles);

@@ -1,32 +1,10 @@
-#include <algorithm>
-
-#include <algorithm>
-
 #include <fmt/format.h>
 
+#include "testbench/study/paragraph.h"
 #include "testbench/study/quality.h"
 
 namespace repousse::study {
 namespace {
-
-// Prose, broken into lines of at most 100 characters, and an empty line.
-std::string paragraph(const std::string& prose) {
-    std::string text;
-    std::size_t line = 0;
-    for (std::size_t from = 0; from < prose.size();) {
-        const std::size_t to = std::min(prose.find(' ', from), prose.size());
-        const std::size_t word = to - from;
-        if (line != 0 && line + 1 + word > 100) {
-            text += '\n';
-            line = 0;
-        }
-        if (line != 0) text += ' ', ++line;
-        text += prose.substr(from, word);
-        line += word;
-        from = to + 1;
-    }
-    return text + "\n\n";
-}
 
 const char* name_of(Tests tests) {
     switch (tests) {

@@ -1,0 +1,268 @@
+#include "testbench/study/sweep_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "datapath/units/vertex_transform.h"
+#include "testbench/host/mesh/mesh_check.h"
+#include "testbench/host/mesh/procedural_mesh.h"
+#include "testbench/host/view/camera.h"
+
+namespace repousse::study {
+namespace {
+
+using reference::FineName;
+
+constexpr double kTexels = 256;  // of the map that texture coordinates count
+
+Format data_format(int frac) {
+    Format format;
+    format.width = 16 + frac > 32 ? 32 : 16 + frac;
+    format.frac = frac;
+    format.quantization = Quantization::SC_RND;
+    format.overflow = Overflow::SC_SAT;
+    return format;
+}
+
+FineName mesh_name(const VertexName& name, const SweepTriangle& triangle, uint32_t base) {
+    const uint32_t id = triangle.corners[name.part].id;
+    const uint32_t next = triangle.corners[(name.part + 1u) % 3].id;
+    switch (name.kind) {
+        case NameKind::Corner:
+            return {FineName::Kind::Vertex, id, 0, 0, 0};
+        case NameKind::Edge:
+            return {FineName::Kind::Edge, std::min(id, next), std::max(id, next), name.a, 0};
+        case NameKind::Interior:
+            break;
+    }
+    return {FineName::Kind::Inside, base, 0, name.a, name.b};
+}
+
+// Position, normal, texture coordinates and c: all that a vertex is, behind `perspective`.
+uint64_t digest_of(const FineVertex<Fixed>& vertex, int32_t c) {
+    reference::Digest digest;
+    const auto pair = [&](int32_t a, int32_t b) {
+        digest.add(static_cast<uint64_t>(static_cast<uint32_t>(a)) << 32 |
+                   static_cast<uint32_t>(b));
+    };
+    pair(vertex.position.x, vertex.position.y);
+    pair(vertex.position.z, vertex.normal.x);
+    pair(vertex.normal.y, vertex.normal.z);
+    pair(vertex.uv.x, vertex.uv.y);
+    pair(c, 0);
+    return digest.value();
+}
+
+int64_t steps_of(const SweepCorner& p, const SweepCorner& q) {
+    int64_t steps = 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        steps = std::max<int64_t>(steps, std::abs(p.slot[axis] - q.slot[axis]));
+    }
+    return steps;
+}
+
+// The edge is `part`, from corner part to corner part + 1; steps count from the lower id. n times
+// the distance from the true value, of the worst component; 33 + 14 bits.
+int64_t edge_distance(const SweepVertex& vertex, const SweepTriangle& triangle, int64_t& steps) {
+    const SweepCorner* from = &triangle.corners[vertex.name.part];
+    const SweepCorner* to = &triangle.corners[(vertex.name.part + 1u) % 3];
+    if (to->id < from->id) std::swap(from, to);
+    steps = steps_of(*from, *to);
+    int64_t worst = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(triangle.components); ++i) {
+        const int64_t exact =
+            int64_t{from->data[i]} * (steps - vertex.name.a) + int64_t{to->data[i]} * vertex.name.a;
+        worst = std::max(worst, std::abs(vertex.data[i] * steps - exact));
+    }
+    return worst;
+}
+
+// How far the vertex lies from where the edge's exact point is, times its c: in units of w_scale.
+double edge_displacement(const SweepVertex& vertex, const FineVertex<Fixed>& fine,
+                         const SweepTriangle& triangle, const Profile& profile) {
+    const SweepCorner* from = &triangle.corners[vertex.name.part];
+    const SweepCorner* to = &triangle.corners[(vertex.name.part + 1u) % 3];
+    if (to->id < from->id) std::swap(from, to);
+    const double t = vertex.name.a / double(steps_of(*from, *to));
+    const auto exact = [&](std::size_t i, int frac) {
+        return std::ldexp(from->data[i] + t * (double(to->data[i]) - from->data[i]), -frac);
+    };
+    const double c = exact(kInverseWComponent, profile.inverse_w.frac);
+    const int32_t found[] = {fine.position.x, fine.position.y, fine.position.z};
+    double square = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double d = std::ldexp(double(found[i]), -profile.position.frac) * c -
+                         exact(i, profile.sweep_data.frac);
+        square += d * d;
+    }
+    return std::sqrt(square);
+}
+
+}  // namespace
+
+host::Mesh welded(const host::Mesh& mesh) {
+    const std::vector<uint32_t> first = host::weld(mesh.positions);
+    std::vector<uint32_t> place(mesh.positions.size());
+    host::Mesh out;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        if (first[i] != i) continue;
+        place[i] = static_cast<uint32_t>(out.positions.size());
+        out.positions.push_back(mesh.positions[i]);
+        if (!mesh.normals.empty()) out.normals.push_back(mesh.normals[i]);
+        if (!mesh.uv.empty()) out.uv.push_back(mesh.uv[i]);
+    }
+    for (const auto& t : mesh.triangles) {
+        out.triangles.push_back({place[first[t[0]]], place[first[t[1]]], place[first[t[2]]]});
+    }
+    return out;
+}
+
+host::Mesh make_capped_cylinder(int segments, int rings, double radius, double height) {
+    host::Mesh mesh = welded(host::make_cylinder(segments, rings, radius, height));
+    const auto n = static_cast<uint32_t>(segments);
+    const auto bottom = static_cast<uint32_t>(mesh.positions.size()), top = bottom + 1;
+    mesh.positions.insert(mesh.positions.end(), {{0, 0, 0}, {0, 0, height}});
+    mesh.normals.insert(mesh.normals.end(), {{0, 0, -1}, {0, 0, 1}});
+    mesh.uv.insert(mesh.uv.end(), {{0.5, 0}, {0.5, 1}});
+    const uint32_t last = n * static_cast<uint32_t>(rings);
+    for (uint32_t i = 0; i < n; ++i) {
+        const uint32_t next = (i + 1) % n;
+        mesh.triangles.push_back({bottom, next, i});
+        mesh.triangles.push_back({top, last + i, last + next});
+    }
+    for (glm::dvec3& p : mesh.positions) p.z -= height / 2;
+    return mesh;
+}
+
+host::CameraSettings random_camera(std::mt19937_64& random, double radius, bool inside) {
+    const auto uniform = [&](double low, double high) {
+        return low + (high - low) * std::ldexp(double(random() >> 11), -53);
+    };
+    const auto in_ball = [&] {
+        glm::dvec3 p;
+        do {
+            p = {uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
+        } while (glm::length(p) > 1 || glm::length(p) < 0.01);
+        return p;
+    };
+    host::CameraSettings camera;
+    camera.eye =
+        inside ? radius * 0.5 * in_ball() : radius * uniform(1.02, 4) * glm::normalize(in_ball());
+    camera.target = radius * 0.6 * in_ball();
+    camera.up = glm::normalize(in_ball());
+    camera.fov_deg = uniform(25, 90);
+    camera.near = 0.02 * radius;
+    camera.far = 10 * radius;
+    return camera;
+}
+
+MeshRemesher::MeshRemesher(const Profile& profile, const host::Mesh& mesh)
+    : profile_(profile), mesh_(mesh) {}
+
+// The base mesh on the grid of a camera, as the host's registers and the device's units place it.
+void MeshRemesher::place_corners(const host::GridCamera& camera, const MeshSetting& setting,
+                                 const Profile& profile, TriangleSetup& setup,
+                                 MeshFigures& figures) {
+    host::Encoder<Fixed> encode(profile);
+    std::vector<uint32_t> table;
+    const auto registers = host::make_grid_registers<Fixed>(profile, camera, table);
+    VertexTransform<Fixed> transform(profile);
+    GridTransform<Fixed> grid(profile);
+    transform.configure(encode.camera(camera.view));
+    if (registers) grid.configure(*registers);
+    // The ball's middle, or what is at arm's length, lies in the middle of the depths.
+    const double middle = std::max(glm::length(camera.view.eye), 4 * setting.w_min);
+    setup.configure(
+        {setting.guard_grid, static_cast<int32_t>(std::lround(host::grid_depth(camera, middle)))});
+    corners_.resize(mesh_.positions.size());
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+        Vertex<Fixed> vertex;
+        vertex.position = encode.vector(mesh_.positions[i], &Profile::position, "position");
+        vertex.normal = encode.vector(mesh_.normals[i], &Profile::normal, "normal");
+        const glm::dvec2 uv = mesh_.uv[i] * kTexels;
+        vertex.uv = {encode.value(uv.x, &Profile::uv, "u"), encode.value(uv.y, &Profile::uv, "v")};
+        const GridPoint<Fixed> point = grid(transform.eye(vertex.position));
+        corners_[i].id = static_cast<uint32_t>(i);
+        corners_[i].slot = setup.slot(point.position);
+        grid.scale(vertex, point.c, false, corners_[i].data);
+    }
+    figures.clamped_w = grid.counters().w_clamped;
+    figures.overflows = grid.counters().data_saturated + !encode.status().ok() + !registers.ok();
+}
+
+host::GridCamera MeshRemesher::grid_camera(const host::CameraSettings& camera,
+                                           const host::Viewport& viewport,
+                                           const MeshSetting& setting) const {
+    host::GridCamera grid;
+    grid.view = host::view_frame(camera, viewport);
+    grid.w_min = setting.w_min;
+    grid.w_scale = camera.far;
+    grid.far = camera.far;
+    for (const glm::dvec3& p : mesh_.positions) {
+        grid.w_scale = std::min(grid.w_scale, glm::dot(grid.view.forward, p - grid.view.eye));
+    }
+    grid.w_scale = std::max(grid.w_scale, setting.w_min);
+    return grid;
+}
+
+MeshFigures MeshRemesher::run(const host::CameraSettings& camera, const host::Viewport& viewport,
+                              const MeshSetting& setting) {
+    Profile profile = profile_;
+    profile.sweep_data = data_format(setting.data_frac);
+    TriangleSetup setup({setting.adder, setting.guard_bits, kPlainComponents});
+    SweepLine sweep({setting.column_depth, {}});
+    Strip<uint32_t> strip(static_cast<std::size_t>(std::max(1, setting.column_depth)));
+    Perspective<Fixed> perspective(profile);
+    perspective.configure(false);
+    MeshFigures figures;
+    const host::GridCamera grid = grid_camera(camera, viewport, setting);
+    place_corners(grid, setting, profile, setup, figures);
+    // A distance at c is so many pixels on the screen.
+    const double pixels = grid.view.focal.x / grid.w_scale;
+
+    checker_.start(mesh_.triangles);
+    SweepTriangle base;
+    StripTriangles<uint32_t> made;
+    FineVertex<Fixed> fine;
+    std::vector<FineName> names;
+    for (uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+        const auto& v = mesh_.triangles[t];
+        setup({corners_[v[0]], corners_[v[1]], corners_[v[2]]}, base);
+        names.clear();
+        sweep.run(base, [&](const SweepStep& step) {
+            std::array<uint32_t, 4> numbers{};
+            for (std::size_t i = 0; i < step.vertex_count; ++i) {
+                const SweepVertex& vertex = step.vertices[i];
+                perspective(vertex, fine);
+                numbers[i] = static_cast<uint32_t>(names.size());
+                names.push_back(mesh_name(vertex.name, base, t));
+                checker_.add_vertex(names.back(), digest_of(fine, vertex.data[kInverseWComponent]));
+                if (vertex.name.kind != NameKind::Edge) continue;
+                int64_t steps = 1;
+                const int64_t distance = edge_distance(vertex, base, steps);
+                figures.edge_beyond_half += 2 * distance > steps;
+                figures.edge_error_px = std::max(
+                    figures.edge_error_px, pixels * edge_displacement(vertex, fine, base, profile));
+                figures.edge_error_ulp =
+                    std::max(figures.edge_error_ulp, double(distance) / double(steps));
+            }
+            strip(step.strip, {numbers.data(), step.vertex_count}, made);
+            for (std::size_t i = 0; i < made.count; ++i) {
+                const auto& [a, b, c] = made.triangles[i];
+                checker_.add_triangle({names[a], names[b], names[c]});
+            }
+        });
+        checker_.finish_base();
+    }
+    figures.mesh = checker_.finish();
+    figures.clamped_grid = setup.counters().clamped;
+    figures.runaways = sweep.counters().runaways;
+    figures.bad_refs = strip.counters().bad_refs;
+    return figures;
+}
+
+}  // namespace repousse::study
