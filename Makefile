@@ -27,7 +27,7 @@ run:
 	@cmake/bootstrap.sh run
 	@[ -e $(BUILD)/build.ninja ] || cmake --preset release
 	@cmake --build --preset release --target repousse -j $(JOBS)
-	@scenes/fetch.sh
+	@scenes/fetch.sh $(SCENE)
 	@$(PROGRAM) sim $(SCENE) -o $(OUT)
 	@echo "The picture is $(OUT)/frame.png"
 

@@ -20,15 +20,23 @@ void print_object(const Job& job, std::size_t i) {
     const LoadedObject& loaded = job.objects[i];
     const host::DrawInputs inputs = job.inputs(i);
     const host::HeightMap& map = loaded.map;
-    const int natural = host::natural_cap(inputs, job.profile.uv.frac);
-    const int cap = inputs.settings.generation_cap.value_or(natural);
-    fmt::print("object \"{}\" ({})\n", loaded.object->name, loaded.object->method);
+    fmt::print("object \"{}\" ({})\n", loaded.object->name,
+               host::method_name(loaded.object->method));
     fmt::print("  mesh  {} triangles; {}\n", loaded.mesh.triangles.size(),
                host::describe(loaded.diagnosis));
+    if (inputs.method == host::Method::Direct) return;
     fmt::print("  map   {} x {} texels, displacement {} to {}{}\n", map.width, map.height,
                map.range_low, map.range_high, map.wrap ? ", periodic" : "");
-    fmt::print("  cap   {} generations (natural: {}), stack {} triangles\n", cap, natural,
-               9 * cap + 1);
+    if (inputs.method == host::Method::Adaptive) {
+        const int natural = host::natural_cap(inputs, job.profile.uv.frac);
+        const int cap = inputs.settings.generation_cap.value_or(natural);
+        fmt::print("  cap   {} generations (natural: {}), stack {} triangles\n", cap, natural,
+                   9 * cap + 1);
+    } else {
+        fmt::print("  grid  {} px a unit, corners within {} units of the middle{}\n",
+                   inputs.sweep.coarseness_px, inputs.sweep.guard_grid,
+                   inputs.sweep.clip ? ", clipped to the view" : "");
+    }
 }
 
 // Bytes of the tables that the units read, built or not.
@@ -46,8 +54,8 @@ void print_tables(const Job& job) {
     };
     fmt::print("tables\n");
     line("heights", heights, true);
-    line("normal map", normals, job.device.bump);
-    line("summed-area table", sums, job.device.height_test);
+    line("normal map", normals, job.device.has_bump());
+    line("summed-area table", sums, job.device.adaptive && job.device.height_test);
 }
 
 Status inform(const InfoOptions& options) {

@@ -11,14 +11,21 @@ namespace {
 
 // The part of a device that one object calls for.
 DeviceConfig device_for(const Profile& profile, const host::Object& object) {
-    const host::AdaptiveSettings& s = object.adaptive;
     DeviceConfig device;
     device.profile = profile;
-    device.view_test = s.view_threshold_px.has_value();
-    device.normal_test = s.normal_threshold.has_value();
-    device.height_test = s.height_threshold.has_value();
-    device.bump = object.bump || device.normal_test;
-    device.contexts = s.contexts;
+    device.bump = object.bump;
+    if (object.method == host::Method::Adaptive) {
+        const host::AdaptiveSettings& s = object.adaptive;
+        device.adaptive = true;
+        device.view_test = s.view_threshold_px.has_value();
+        device.normal_test = s.normal_threshold.has_value();
+        device.height_test = s.height_threshold.has_value();
+        device.contexts = s.contexts;
+    } else {
+        device.direct = object.method == host::Method::Direct;
+        device.sweep = object.method == host::Method::Sweep;
+        device.view_clip = device.sweep && object.sweep.clip;
+    }
     return device;
 }
 
@@ -35,6 +42,7 @@ void note_mesh(Job& job, const LoadedObject& loaded) {
 }
 
 void note_cap(Job& job, std::size_t i) {
+    if (job.objects[i].object->method != host::Method::Adaptive) return;
     const host::DrawInputs inputs = job.inputs(i);
     const int natural = host::natural_cap(inputs, job.profile.uv.frac);
     const auto& cap = inputs.settings.generation_cap;
@@ -50,17 +58,7 @@ void note_cap(Job& job, std::size_t i) {
 
 host::DrawInputs Job::inputs(std::size_t i) const {
     const LoadedObject& loaded = objects[i];
-    const host::Object& object = *loaded.object;
-    host::DrawInputs inputs;
-    inputs.mesh = &loaded.mesh;
-    inputs.map = &loaded.map;
-    inputs.settings = object.adaptive;
-    inputs.filter = object.map.filter;
-    inputs.uv = object.map.uv;
-    inputs.bump = object.bump;
-    inputs.texel_size = host::texel_size(loaded.mesh, loaded.map, object.map.uv);
-    inputs.view = host::view_frame(scene.camera, scene.viewport);
-    return inputs;
+    return host::draw_inputs(scene, *loaded.object, loaded.mesh, loaded.map);
 }
 
 Result<Job> load_job(const std::string& scene_file, const std::string& profile,
@@ -95,42 +93,6 @@ Result<Job> load_job(const std::string& scene_file, const std::string& profile,
     }
     job.device = job.needed;
     return job;
-}
-
-std::vector<UnitReason> explain_units(const Job& job) {
-    const DeviceConfig& need = job.needed;
-    const DeviceConfig& built = job.device;
-    const auto reason = [](std::string_view unit, bool is_built, bool is_needed,
-                           std::string_view yes, std::string_view no) {
-        std::string why(is_needed ? yes : no);
-        if (is_built && !is_needed) why += "; built on request";
-        return UnitReason{unit, is_built, why};
-    };
-    const auto always = [](std::string_view unit, std::string_view why) {
-        return UnitReason{unit, true, std::string(why)};
-    };
-    return {
-        always("triangle_stack", "every adaptive object is tessellated recursively"),
-        always("edge_iter", "tests are made edge by edge"),
-        always("mid_vertex", "new vertices are midpoints of edges"),
-        always("texcoord_test", "refinement ends at the map's resolution"),
-        reason("view_test", built.view_test, need.view_test, "an object has view_threshold_px",
-               "no object has view_threshold_px"),
-        reason("bump", built.bump, need.bump,
-               need.normal_test ? "the normal test compares displaced normals"
-                                : "an object asks for displaced normals with [object.bump]",
-               "no object has normal_threshold or [object.bump]: no normal map is made"),
-        reason("normal_test", built.normal_test, need.normal_test, "an object has normal_threshold",
-               "no object has normal_threshold"),
-        reason("height_test", built.height_test, need.height_test,
-               "an object has a height threshold",
-               "no object has a height threshold: no summed-area table is made"),
-        always("split", "edges are decided and triangles cut"),
-        always("displace", "vertices are displaced"),
-        reason("vertex_transform", built.view_test, need.view_test,
-               "the view test measures on the screen",
-               "without a view test no screen position is needed"),
-    };
 }
 
 }  // namespace repousse::app

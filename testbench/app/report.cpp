@@ -1,8 +1,9 @@
 #include "testbench/app/report.h"
 
-#include <algorithm>
 #include <fstream>
 #include <thread>
+#include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -32,26 +33,47 @@ Json map_part(const LoadedObject& loaded) {
                  {"wrap", map.wrap},
                  {"fallback", loaded.object->map.used_fallback}};
     if (map.has_elevation) part["elevation_m"] = {map.elevation_low_m, map.elevation_high_m};
+    if (map.filled_texels > 0) part["filled_texels"] = map.filled_texels;
     return part;
+}
+
+// What the invariants say, by method; null if the check was not wanted.
+Json invariants_part(const ObjectResult& object) {
+    if (const auto* leaves = std::get_if<reference::LeafReport>(&object.invariants)) {
+        return {{"open_edges", leaves->open_edges},
+                {"flipped", leaves->flipped},
+                {"zero_area", leaves->zero_area}};
+    }
+    if (const auto* sweep = std::get_if<host::SweepInvariants>(&object.invariants)) {
+        return {{"open_edges", sweep->open_edges},
+                {"cracked", sweep->cracked},
+                {"seam_cracked", sweep->seam_cracked},
+                {"degenerate", sweep->degenerate},
+                {"uncovered", sweep->uncovered}};
+    }
+    return nullptr;
 }
 
 Json object_part(const LoadedObject& loaded, const ObjectResult& object) {
     const host::MeshDiagnosis& d = loaded.diagnosis;
+    const host::Method method = loaded.object->method;
     Json part = {{"name", loaded.object->name},
-                 {"method", loaded.object->method},
+                 {"method", host::method_name(method)},
                  {"base",
                   {{"vertices", d.vertices},
                    {"triangles", object.base_triangles},
                    {"boundary_edges", d.boundary_edges},
-                   {"non_manifold_edges", d.non_manifold_edges}}},
-                 {"map", map_part(loaded)},
-                 {"generation_cap", object.cap},
-                 {"triangles", object.surface.triangles.size()},
-                 {"vertices", object.surface.positions.size()}};
-    if (object.invariants) {
-        part["invariants"] = {{"open_edges", object.invariants->open_edges},
-                              {"flipped", object.invariants->flipped},
-                              {"zero_area", object.invariants->zero_area}};
+                   {"non_manifold_edges", d.non_manifold_edges}}}};
+    if (method != host::Method::Direct) part["map"] = map_part(loaded);
+    if (method == host::Method::Adaptive) part["generation_cap"] = object.cap;
+    if (method == host::Method::Sweep) {
+        part["coarseness_px"] = loaded.object->sweep.coarseness_px;
+        part["guard_grid"] = loaded.object->sweep.guard_grid;
+    }
+    part["triangles"] = object.surface.triangles.size();
+    part["vertices"] = object.surface.positions.size();
+    if (Json invariants = invariants_part(object); !invariants.is_null()) {
+        part["invariants"] = std::move(invariants);
     }
     return part;
 }
@@ -88,13 +110,6 @@ std::string processor() {
         if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
     }
     return "unknown";
-}
-
-uint64_t counter(const SimResult& result, std::string_view unit, std::string_view name) {
-    for (const CounterRow& row : result.counters) {
-        if (row.unit == unit && row.name == name) return row.value;
-    }
-    return 0;
 }
 
 std::size_t triangle_count(const SimResult& result) {
@@ -142,59 +157,24 @@ std::string timing_json(const std::vector<Phase>& phases, const SimResult& resul
     return timing.dump(2) + "\n";
 }
 
-std::string summary(const Job& job, Level level, const SimResult& result) {
-    std::string text = fmt::format("{} at level {}, profile {}\n", job.scene.title,
-                                   level_name(level), job.profile_name);
-    for (std::size_t i = 0; i < result.objects.size(); ++i) {
-        const ObjectResult& object = result.objects[i];
-        text += fmt::format("  {}: {} base triangles -> {} triangles, {} vertices (cap {})\n",
-                            job.objects[i].object->name, object.base_triangles,
-                            object.surface.triangles.size(), object.surface.positions.size(),
-                            object.cap);
-        if (object.invariants) {
-            text += fmt::format("    {} open edges, {} flipped, {} without area\n",
-                                object.invariants->open_edges, object.invariants->flipped,
-                                object.invariants->zero_area);
-        }
-    }
-    text += fmt::format(
-        "  tests: {} edges; tc {}, vt {}, nt {}, sht {}; {} table reads\n",
-        counter(result, "edge_iter", "items"), counter(result, "texcoord_test", "tests"),
-        counter(result, "view_test", "tests"), counter(result, "normal_test", "tests"),
-        counter(result, "height_test", "tests"), counter(result, "height_test", "reads"));
-    std::string omitted;
-    for (const UnitReason& reason : explain_units(job)) {
-        if (!reason.built) omitted += (omitted.empty() ? "" : ", ") + std::string(reason.unit);
-    }
-    text += "  not built: " + (omitted.empty() ? std::string("nothing") : omitted) + "\n";
-    if (level == Level::Lt) {
-        const auto triangles = static_cast<double>(triangle_count(result));
-        text += fmt::format("  device: {} cycles, {:.1f} a triangle, {:.3f} ms at {} MHz\n",
-                            result.cycles, static_cast<double>(result.cycles) / triangles,
-                            static_cast<double>(result.cycles) * job.device.clock_period_ns * 1e-6,
-                            static_cast<int>(1000 / job.device.clock_period_ns));
-        std::vector<shell::UnitBusy> busy = result.busy;
-        std::sort(busy.begin(), busy.end(),
-                  [](const auto& p, const auto& q) { return p.cycles > q.cycles; });
-        text += "  busiest:";
-        for (std::size_t i = 0; i < std::min<std::size_t>(3, busy.size()); ++i) {
-            text += fmt::format(
-                "{} {} {:.0f} %", i == 0 ? "" : ",", busy[i].unit->name,
-                100 * static_cast<double>(busy[i].cycles) / static_cast<double>(result.cycles));
-        }
-        text += "\n";
-    }
-    for (const std::string& note : job.notes) text += "  note: " + note + "\n";
-    return text;
-}
-
 Status verdict(const Job& job, const SimResult& result) {
     for (std::size_t i = 0; i < result.objects.size(); ++i) {
         const auto& invariants = result.objects[i].invariants;
-        if (!invariants || invariants->open_edges == 0) continue;
-        return Error{ErrorKind::Mismatch, "object \"" + job.objects[i].object->name + "\"",
-                     fmt::format("{} open edges: the surface has cracks", invariants->open_edges),
-                     "none", "at a texture seam, make the map periodic with wrap = true"};
+        const std::string where = "object \"" + job.objects[i].object->name + "\"";
+        if (const auto* leaves = std::get_if<reference::LeafReport>(&invariants)) {
+            if (leaves->open_edges == 0) continue;
+            return Error{ErrorKind::Mismatch, where,
+                         fmt::format("{} open edges: the surface has cracks", leaves->open_edges),
+                         "none", "at a texture seam, make the map periodic with wrap = true"};
+        }
+        const auto* sweep = std::get_if<host::SweepInvariants>(&invariants);
+        if (sweep == nullptr || sweep->hold()) continue;
+        return Error{
+            ErrorKind::Mismatch, where,
+            fmt::format("{} open edges, {} vertices in more than one place, {} fine "
+                        "triangles without area, {} base triangles not covered once",
+                        sweep->open_edges, sweep->cracked, sweep->degenerate, sweep->uncovered),
+            "none", "choose exact adders: adder_kind = 2 in the profile"};
     }
     return done();
 }

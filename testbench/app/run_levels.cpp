@@ -2,16 +2,11 @@
 
 #include <chrono>
 
-#include "datapath/pipelines/adaptive.h"
-#include "testbench/host/leaves.h"
-#include "testbench/host/surface.h"
+#include "testbench/app/object_draw.h"
 #include "tlm/platform/platform.h"
 
 namespace repousse::app {
 namespace {
-
-template <class P>
-using Triangles = std::vector<OutputTriangle<P>>;
 
 class Stopwatch {
 public:
@@ -24,62 +19,13 @@ private:
 };
 
 template <class P>
-Triangles<P> tessellate(AdaptivePipeline<P>& pipeline) {
-    Triangles<P> triangles;
-    pipeline.run([&](Span<const OutputTriangle<P>> some) {
-        triangles.insert(triangles.end(), some.begin(), some.end());
-    });
-    return triangles;
-}
-
-// The displaced base mesh is what a generation cap of 0 leaves.
-template <class P>
-reference::LeafReport judge(const Profile& profile, AdaptiveDraw<P> draw,
-                            const Triangles<P>& triangles) {
-    draw.registers.cap = 0;
-    AdaptivePipeline<P> base(profile, draw);
-    return reference::check_leaves(host::leaves_of<P>(triangles, profile),
-                                   host::leaves_of<P>(tessellate(base), profile));
-}
-
-template <class P>
-uint64_t bytes_of(const MapTables<P>& tables) {
-    return tables.heights.size() * sizeof(uint16_t) +
-           tables.normals.size() * sizeof(Vec3<typename P::Texel>) +
-           tables.sums.size() * sizeof(uint64_t);
-}
-
-template <class P>
-Result<std::vector<AdaptiveDraw<P>>> make_draws(const Job& job, const Profile& profile) {
-    std::vector<AdaptiveDraw<P>> draws;
-    for (std::size_t i = 0; i < job.objects.size(); ++i) {
-        auto draw = host::make_draw<P>(profile, job.inputs(i));
-        if (!draw) {
-            Error error = draw.error();
-            error.where = job.objects[i].object->mark.text();
-            error.what = "object \"" + job.objects[i].object->name + "\": " + error.what;
-            return error;
-        }
-        draws.push_back(std::move(*draw));
-    }
-    return draws;
-}
-
-template <class P>
-void finish(const Job& job, const Profile& profile, const std::vector<AdaptiveDraw<P>>& draws,
-            const std::vector<Triangles<P>>& triangles, bool check, const Progress& progress,
+void finish(const Job& job, const Profile& profile, const std::vector<ObjectDraw<P>>& draws,
+            const std::vector<ObjectOutput<P>>& outputs, bool check, const Progress& progress,
             SimResult& result) {
     for (std::size_t i = 0; i < draws.size(); ++i) {
-        ObjectResult object;
-        object.base_triangles = draws[i].triangles.size();
-        object.cap = draws[i].registers.cap;
-        object.surface = host::surface_mesh(triangles[i], profile, job.inputs(i));
-        result.table_bytes += bytes_of(draws[i].tables);
-        if (check) {
-            progress("checking " + job.objects[i].object->name);
-            object.invariants = judge(profile, draws[i], triangles[i]);
-        }
-        result.objects.push_back(std::move(object));
+        if (check) progress("checking " + job.objects[i].object->name);
+        result.table_bytes += table_bytes(draws[i]);
+        result.objects.push_back(object_result(job, i, profile, draws[i], outputs[i], check));
     }
 }
 
@@ -88,15 +34,13 @@ Result<SimResult> run_ref(const Job& job, bool check, const Progress& progress) 
     const auto draws = make_draws<Real>(job, profile);
     if (!draws) return draws.error();
     SimResult result;
-    std::vector<Triangles<Real>> triangles;
+    std::vector<ObjectOutput<Real>> outputs;
     const Stopwatch watch;
-    for (const AdaptiveDraw<Real>& draw : *draws) {
-        AdaptivePipeline<Real> pipeline(profile, draw);
-        triangles.push_back(tessellate(pipeline));
-        merge_rows(result.counters, pipeline.counters().rows());
+    for (const ObjectDraw<Real>& draw : *draws) {
+        outputs.push_back(run_bare(profile, draw, result.counters));
     }
     result.tessellation_s = watch.seconds();
-    finish(job, profile, *draws, triangles, check, progress, result);
+    finish(job, profile, *draws, outputs, check, progress, result);
     return result;
 }
 
@@ -110,11 +54,11 @@ Result<SimResult> run_lt(const Job& job, bool check, const Progress& progress) {
     if (!run) return run.error();
     SimResult result;
     result.tessellation_s = watch.seconds();
-    result.counters = run->counters.rows();
+    result.counters = run->counters;
     result.cycles = run->cycles;
     result.busy = run->busy;
     result.simulated_ns = run->simulated_ns;
-    finish(job, job.profile, *draws, run->triangles, check, progress, result);
+    finish(job, job.profile, *draws, run->outputs, check, progress, result);
     return result;
 }
 

@@ -1,12 +1,13 @@
 #pragma once
 
-#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "datapath/pipelines/adaptive_counters.h"
 #include "testbench/app/job.h"
 #include "testbench/host/mesh/mesh.h"
+#include "testbench/host/sweep_judge.h"
 #include "testbench/reference/leaf_mesh.h"
 #include "tlm/batch_time.h"
 
@@ -22,9 +23,10 @@ const char* level_name(Level level);
 /// What one object turned into.
 struct ObjectResult {
     std::size_t base_triangles = 0;
-    int cap = 0;
+    int cap = 0;  ///< of generations: adaptive
     host::Mesh surface;
-    std::optional<reference::LeafReport> invariants;  ///< absent if the check was not wanted
+    /// By the object's method; nothing if the check was not wanted.
+    std::variant<std::monostate, reference::LeafReport, host::SweepInvariants> invariants;
 };
 
 /// What a run gave.

@@ -4,11 +4,15 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 #include "testbench/app/commands.h"
 #include "testbench/host/files.h"
+#include "testbench/study/filter.h"
+#include "testbench/study/normalise.h"
 #include "testbench/study/quality.h"
+#include "testbench/study/sweep.h"
 
 namespace repousse::app {
 namespace {
@@ -18,6 +22,28 @@ struct QualityOptions {
     std::string output;
 };
 
+Status check_folder(const std::string& output) {
+    const std::string folder = host::folder_of(output);
+    if (!output.empty() && !std::filesystem::is_directory(folder)) {
+        return Error{ErrorKind::Environment, folder, "there is no such folder", {}, {}};
+    }
+    return done();
+}
+
+// Says on a terminal what goes on, on one line.
+std::function<void(const std::string&)> progress_line() {
+    return [live = isatty(STDERR_FILENO) != 0](const std::string& step) {
+        if (live) std::fprintf(stderr, "\r\033[K%s ...", step.c_str());
+    };
+}
+
+Status write_report(const std::string& text, const std::string& output) {
+    if (isatty(STDERR_FILENO) != 0) std::fputs("\r\033[K", stderr);
+    if (!output.empty()) return host::write_file(output, text);
+    std::fputs(text.c_str(), stdout);
+    return done();
+}
+
 Status quality(const QualityOptions& options) {
     if (!host::is_file(options.input)) {
         return Error{ErrorKind::Input,
@@ -26,20 +52,83 @@ Status quality(const QualityOptions& options) {
                      {},
                      "scenes/fetch.sh gets it"};
     }
-    const std::string folder = host::folder_of(options.output);
-    if (!options.output.empty() && !std::filesystem::is_directory(folder)) {
-        return Error{ErrorKind::Environment, folder, "there is no such folder", {}, {}};
-    }
-    const bool live = isatty(STDERR_FILENO) != 0;
-    const auto report = study::quality_study(options.input, [live](const std::string& step) {
-        if (live) std::fprintf(stderr, "\r\033[K%s ...", step.c_str());
-    });
-    if (live) std::fputs("\r\033[K", stderr);
+    if (const Status folder = check_folder(options.output); !folder) return folder;
+    const auto report = study::quality_study(options.input, progress_line());
     if (!report) return report.error();
-    const std::string text = study::quality_markdown(*report);
-    if (!options.output.empty()) return host::write_file(options.output, text);
-    std::fputs(text.c_str(), stdout);
-    return done();
+    return write_report(study::quality_markdown(*report), options.output);
+}
+
+struct SweepOptions {
+    uint64_t seed = 1;
+    std::string output;
+};
+
+Status sweep(const SweepOptions& options) {
+    if (const Status folder = check_folder(options.output); !folder) return folder;
+    const study::SweepReport report = study::sweep_study(options.seed, progress_line());
+    return write_report(study::sweep_markdown(report), options.output);
+}
+
+void add_sweep(CLI::App& study, Run& run) {
+    auto options = std::make_shared<SweepOptions>();
+    CLI::App* sub = study.add_subcommand(
+        "sweep", "sweep-line remeshing: work, accuracy, widths (some minutes)");
+    sub->add_option("--seed", options->seed, "of triangles and cameras")->capture_default_str();
+    sub->add_option("-o,--output", options->output, "Markdown file; the terminal otherwise");
+    sub->callback([options, &run] { run = [options] { return sweep(*options); }; });
+}
+
+struct FilterOptions {
+    std::string inputs = "inputs";
+    std::string output;
+};
+
+// The figure goes into a folder images/ beside the report; times go to the terminal only.
+Status filter(const FilterOptions& options) {
+    if (const Status folder = check_folder(options.output); !folder) return folder;
+    const auto report = study::filter_study(options.inputs, progress_line());
+    if (!report) return report.error();
+    if (isatty(STDERR_FILENO) != 0) std::fputs("\r\033[K", stderr);
+    for (const study::FilteredMap& map : report->maps) {
+        std::fprintf(stderr, "%s: all variational levels in %.2f s a megatexel\n", map.name.c_str(),
+                     map.seconds_per_megatexel);
+    }
+    const std::string stem = std::filesystem::path(options.output).stem().string();
+    const std::string figure = "images/" + (stem.empty() ? "filter" : stem) + ".svg";
+    if (!options.output.empty()) {
+        const std::string target = host::folder_of(options.output) + "/" + figure;
+        std::error_code failed;  // the write below says so
+        std::filesystem::create_directories(host::folder_of(target), failed);
+        if (const Status drawn = host::write_file(target, study::filter_figure(*report)); !drawn) {
+            return drawn;
+        }
+    }
+    return write_report(study::filter_markdown(*report, figure), options.output);
+}
+
+void add_filter(CLI::App& study, Run& run) {
+    auto options = std::make_shared<FilterOptions>();
+    CLI::App* sub = study.add_subcommand(
+        "filter", "filter levels of real maps: volume, bounds, heights kept (some minutes)");
+    sub->add_option("--inputs", options->inputs, "folder of what scenes/fetch.sh gets")
+        ->capture_default_str();
+    sub->add_option("-o,--output", options->output, "Markdown file; the terminal otherwise");
+    sub->callback([options, &run] { run = [options] { return filter(*options); }; });
+}
+
+Status normalise(const SweepOptions& options) {
+    if (const Status folder = check_folder(options.output); !folder) return folder;
+    return write_report(study::normalise_markdown(study::normalise_study(options.seed)),
+                        options.output);
+}
+
+void add_normalise(CLI::App& study, Run& run) {
+    auto options = std::make_shared<SweepOptions>();
+    CLI::App* sub =
+        study.add_subcommand("normalise", "normals against double, both kinds: error and cycles");
+    sub->add_option("--seed", options->seed, "of the vectors")->capture_default_str();
+    sub->add_option("-o,--output", options->output, "Markdown file; the terminal otherwise");
+    sub->callback([options, &run] { run = [options] { return normalise(*options); }; });
 }
 
 }  // namespace
@@ -54,6 +143,9 @@ void add_study(CLI::App& root, Run& run) {
         ->capture_default_str();
     sub->add_option("-o,--output", options->output, "Markdown file; the terminal otherwise");
     sub->callback([options, &run] { run = [options] { return quality(*options); }; });
+    add_sweep(*study, run);
+    add_filter(*study, run);
+    add_normalise(*study, run);
 }
 
 }  // namespace repousse::app

@@ -5,123 +5,12 @@
 #include <type_traits>
 
 #include "datapath/units/edge_iter.h"
-#include "testbench/host/map/normal_map.h"
+#include "testbench/host/encoder.h"
 #include "testbench/host/map/summed_area_table.h"
 #include "testbench/host/scene/assets.h"
 
 namespace repousse::host {
 namespace {
-
-// Brings doubles into a profile's formats and remembers the first one that does not fit.
-template <class P>
-class Encoder {
-public:
-    explicit Encoder(const Profile& profile) : profile_(profile) {}
-
-    typename P::Value value(double x, Format Profile::*member, const char* what) {
-        if constexpr (std::is_same_v<P, Real>) return x;
-        const Format& format = profile_.*member;
-        const double scaled = std::floor(std::ldexp(x, format.frac) + 0.5);
-        const bool fits = scaled >= static_cast<double>(format.min_raw()) &&
-                          scaled <= static_cast<double>(format.max_raw());
-        if (!fits && what_.empty()) {
-            what_ =
-                std::string(what) + " " + std::to_string(x) + " does not fit " + to_string(format);
-        }
-        return fits ? static_cast<typename P::Value>(scaled) : typename P::Value{};
-    }
-
-    Vec3<typename P::Value> vector(const glm::dvec3& v, Format Profile::*member, const char* what) {
-        return {value(v.x, member, what), value(v.y, member, what), value(v.z, member, what)};
-    }
-
-    void refuse(std::string what) {
-        if (what_.empty()) what_ = std::move(what);
-    }
-
-    Status status() const {
-        if (what_.empty()) return done();
-        return Error{ErrorKind::Input, {}, what_, {}, "scale the scene or choose a wider profile"};
-    }
-
-private:
-    const Profile& profile_;
-    std::string what_;
-};
-
-template <class P>
-void encode_vertices(Encoder<P>& encode, const Profile& profile, const DrawInputs& inputs,
-                     AdaptiveDraw<P>& draw) {
-    const Mesh& mesh = *inputs.mesh;
-    draw.triangles = mesh.triangles;
-    draw.vertices.resize(mesh.positions.size());
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        Vertex<P>& v = draw.vertices[i];
-        v.uv = texel_uv(mesh.uv[i], *inputs.map, inputs.uv, profile.uv.frac);
-        const bool fits = v.uv.x >= profile.uv.min_raw() && v.uv.x <= profile.uv.max_raw() &&
-                          v.uv.y >= profile.uv.min_raw() && v.uv.y <= profile.uv.max_raw();
-        if (!fits) encode.refuse("a texture coordinate does not fit " + to_string(profile.uv));
-        v.position = encode.vector(mesh.positions[i], &Profile::position, "position");
-        v.normal = encode.vector(mesh.normals[i], &Profile::normal, "normal");
-        v.tangent = encode.vector(mesh.tangents[i], &Profile::normal, "tangent");
-        v.handedness = mesh.handedness[i] < 0 ? -1 : 1;
-    }
-}
-
-// D = h * scale + bias. Fixed: 16-bit heights lose their low bits to a narrower format first, and
-// the scale becomes kScaleBits significant bits, fewer where the exponent would not fit a cast.
-template <class P>
-void encode_map(Encoder<P>& encode, const Profile& profile, const DrawInputs& inputs,
-                AdaptiveDraw<P>& draw) {
-    const HeightMap& map = *inputs.map;
-    draw.map.width = map.width;
-    draw.map.height = map.height;
-    draw.map.wrap = map.wrap;
-    draw.map.filter = inputs.filter;
-    draw.map.bias = encode.value(map.range_low, &Profile::displacement, "displacement");
-    encode.value(map.range_high, &Profile::displacement, "displacement");
-    draw.tables.heights = map.texels;
-    const double range = map.range_high - map.range_low;
-    if constexpr (std::is_same_v<P, Real>) {
-        draw.map.scale_mantissa = range / 65535.0;
-    } else {
-        const Cast narrow(16, profile.height);
-        for (uint16_t& h : draw.tables.heights) h = static_cast<uint16_t>(narrow(h));
-        const double scale = range / static_cast<double>(profile.height.max_raw());
-        int exponent = 0;
-        std::frexp(scale, &exponent);
-        const int filter_bits = profile.filtered_height.frac - profile.height.frac;
-        draw.map.scale_exponent = std::clamp(kScaleBits - 1 - exponent, 0, 62 - filter_bits);
-        draw.map.scale_mantissa =
-            static_cast<int32_t>(std::lround(std::ldexp(scale, draw.map.scale_exponent)));
-    }
-    if (draw.registers.use_bump) {
-        for (const glm::dvec3& n : normal_map(map, inputs.texel_size.x, inputs.texel_size.y)) {
-            const auto v = encode.vector(n, &Profile::map_normal, "map normal");
-            using Texel = typename P::Texel;
-            draw.tables.normals.push_back({Texel(v.x), Texel(v.y), Texel(v.z)});
-        }
-    }
-    if (draw.registers.use_height_test) {
-        HeightMap stored = map;
-        stored.texels = draw.tables.heights;
-        draw.tables.sums = summed_area_table(stored, profile.sat_width);
-    }
-}
-
-template <class P>
-void encode_view(Encoder<P>& encode, const ViewFrame& view, AdaptiveDraw<P>& draw) {
-    ViewRegisters<P>& r = draw.camera;
-    r.eye = encode.vector(view.eye, &Profile::position, "camera position");
-    r.right = encode.vector(view.right, &Profile::view_row, "camera axis");
-    r.up = encode.vector(view.up, &Profile::view_row, "camera axis");
-    r.forward = encode.vector(view.forward, &Profile::view_row, "camera axis");
-    r.near = encode.value(view.near, &Profile::clip, "near distance");
-    r.focal_x = encode.value(view.focal.x, &Profile::focal, "focal length in pixels");
-    r.focal_y = encode.value(view.focal.y, &Profile::focal, "focal length in pixels");
-    r.centre_x = encode.value(view.centre.x, &Profile::focal, "viewport centre");
-    r.centre_y = encode.value(view.centre.y, &Profile::focal, "viewport centre");
-}
 
 template <class P>
 void encode_registers(const Profile& profile, const DrawInputs& inputs, AdaptiveDraw<P>& draw) {
@@ -193,6 +82,24 @@ Status check_domain(const Profile& profile, const AdaptiveDraw<P>& draw) {
 
 }  // namespace
 
+DrawInputs draw_inputs(const Scene& scene, const Object& object, const Mesh& mesh,
+                       const HeightMap& map) {
+    DrawInputs inputs;
+    inputs.mesh = &mesh;
+    inputs.map = &map;
+    inputs.method = object.method;
+    inputs.settings = object.adaptive;
+    inputs.sweep = object.sweep;
+    inputs.filter = object.map.filter;
+    inputs.uv = object.map.uv;
+    inputs.bump = object.bump;
+    inputs.texel_size = texel_size(mesh, map, object.map.uv);
+    inputs.view = view_frame(scene.camera, scene.viewport);
+    inputs.camera = scene.camera;
+    inputs.viewport = scene.viewport;
+    return inputs;
+}
+
 Uv texel_uv(glm::dvec2 uv, const HeightMap& map, UvSpan span, int frac) {
     const glm::dvec2 texel = texel_coordinate(uv, map, span);
     return {static_cast<int32_t>(std::floor(std::ldexp(texel.x, frac))),
@@ -226,9 +133,15 @@ Result<AdaptiveDraw<P>> make_draw(const Profile& profile, const DrawInputs& inpu
     AdaptiveDraw<P> draw;
     Encoder<P> encode(profile);
     encode_registers(profile, inputs, draw);
-    encode_vertices(encode, profile, inputs, draw);
-    encode_map(encode, profile, inputs, draw);
-    if (draw.registers.use_view_test) encode_view(encode, inputs.view, draw);
+    draw.triangles = inputs.mesh->triangles;
+    draw.vertices = encode.vertices(inputs);
+    encode.map(inputs, draw.registers.use_bump, draw.map, draw.tables);
+    if (draw.registers.use_height_test) {
+        HeightMap stored = *inputs.map;
+        stored.texels = draw.tables.heights;
+        draw.tables.sums = summed_area_table(stored, profile.sat_width);
+    }
+    if (draw.registers.use_view_test) draw.camera = encode.camera(inputs.view);
     const Status fits = encode.status();
     if (!fits) return fits.error();
     const Status domain = check_domain(profile, draw);

@@ -20,13 +20,21 @@ namespace repousse::host {
 struct DrawInputs {
     const Mesh* mesh = nullptr;
     const HeightMap* map = nullptr;
+    Method method = Method::Adaptive;
     AdaptiveSettings settings;
+    SweepSettings sweep;
     HeightFilter filter = HeightFilter::Nearest;
     UvSpan uv = UvSpan::Edges;
     bool bump = false;           ///< displaced normals are wanted in the output
     glm::dvec2 texel_size{0.0};  ///< world units a texel, for the finite differences
     ViewFrame view;
+    CameraSettings camera;  ///< `view` is its frame on this viewport
+    Viewport viewport;
 };
+
+/// How an object of a scene is tessellated; refers to its mesh and map.
+DrawInputs draw_inputs(const Scene& scene, const Object& object, const Mesh& mesh,
+                       const HeightMap& map);
 
 /// Texture coordinates of a mesh vertex in texels, truncated to the format's fraction bits.
 Uv texel_uv(glm::dvec2 uv, const HeightMap& map, UvSpan span, int frac);

@@ -32,8 +32,8 @@ uint64_t bits(V value) {
     return word;
 }
 
-template <class P>
-Key key_of(const OutputVertex<P>& v) {
+template <class OutputVertex>
+Key key_of(const OutputVertex& v) {
     const uint64_t uv = uint64_t(uint32_t(v.uv.x)) << 32 | uint32_t(v.uv.y);
     return {uv,
             bits(v.displaced.x),
@@ -50,12 +50,8 @@ glm::dvec3 to_double(const Vec3<V>& v, int frac) {
             std::ldexp(double(v.z), -frac)};
 }
 
-// Inverse of texel_coordinate.
-glm::dvec2 map_uv(Uv uv, int frac, const HeightMap& map, UvSpan span) {
-    const glm::dvec2 texel{std::ldexp(double(uv.x), -frac), std::ldexp(double(uv.y), -frac)};
-    const glm::dvec2 size{map.width, map.height};
-    if (span == UvSpan::Edges) return texel / size;
-    return (texel - .5) / glm::max(size - 1., glm::dvec2(1));
+glm::dvec2 texel_of(Uv uv, int frac) {
+    return {std::ldexp(double(uv.x), -frac), std::ldexp(double(uv.y), -frac)};
 }
 
 double bilinear_height(const HeightMap& map, glm::dvec2 texel) {
@@ -73,11 +69,10 @@ double bilinear_height(const HeightMap& map, glm::dvec2 texel) {
     return (lower + (upper - lower) * fy) / 65535.;
 }
 
-}  // namespace
-
-template <class P>
-Mesh surface_mesh(const std::vector<OutputTriangle<P>>& triangles, const Profile& profile,
-                  const DrawInputs& inputs) {
+// `Output`: OutputTriangle<P> or SweepOutput<P>.
+template <class P, class Output>
+Mesh mesh_of(const std::vector<Output>& triangles, const Profile& profile,
+             const DrawInputs& inputs) {
     const bool is_real = std::is_same_v<P, Real>;
     const int position_frac = is_real ? 0 : profile.position.frac;
     const int normal_frac = is_real ? 0 : profile.displaced_normal.frac;
@@ -85,16 +80,16 @@ Mesh surface_mesh(const std::vector<OutputTriangle<P>>& triangles, const Profile
     Mesh mesh;
     std::unordered_map<Key, uint32_t, KeyHash> numbers;
     mesh.triangles.reserve(triangles.size());
-    for (const OutputTriangle<P>& triangle : triangles) {
+    for (const Output& triangle : triangles) {
         std::array<uint32_t, 3> corners;
         for (std::size_t k = 0; k < 3; ++k) {
-            const OutputVertex<P>& v = triangle.corners[k];
+            const auto& v = triangle.corners[k];
             const auto next = static_cast<uint32_t>(mesh.positions.size());
             const auto [entry, is_new] = numbers.emplace(key_of(v), next);
             corners[k] = entry->second;
             if (!is_new) continue;
             mesh.positions.push_back(to_double(v.displaced, position_frac));
-            mesh.uv.push_back(map_uv(v.uv, profile.uv.frac, *inputs.map, inputs.uv));
+            mesh.uv.push_back(map_uv(texel_of(v.uv, profile.uv.frac), *inputs.map, inputs.uv));
             if (has_normals) {
                 mesh.normals.push_back(to_double(v.displaced_normal, normal_frac));
             }
@@ -102,6 +97,20 @@ Mesh surface_mesh(const std::vector<OutputTriangle<P>>& triangles, const Profile
         mesh.triangles.push_back(corners);
     }
     return mesh;
+}
+
+}  // namespace
+
+template <class P>
+Mesh surface_mesh(const std::vector<OutputTriangle<P>>& triangles, const Profile& profile,
+                  const DrawInputs& inputs) {
+    return mesh_of<P>(triangles, profile, inputs);
+}
+
+template <class P>
+Mesh surface_mesh(const std::vector<SweepOutput<P>>& triangles, const Profile& profile,
+                  const DrawInputs& inputs) {
+    return mesh_of<P>(triangles, profile, inputs);
 }
 
 RenderMesh surface_view(const Mesh& surface, const DrawInputs& inputs) {
@@ -122,6 +131,10 @@ RenderMesh surface_view(const Mesh& surface, const DrawInputs& inputs) {
 template Mesh surface_mesh(const std::vector<OutputTriangle<Fixed>>&, const Profile&,
                            const DrawInputs&);
 template Mesh surface_mesh(const std::vector<OutputTriangle<Real>>&, const Profile&,
+                           const DrawInputs&);
+template Mesh surface_mesh(const std::vector<SweepOutput<Fixed>>&, const Profile&,
+                           const DrawInputs&);
+template Mesh surface_mesh(const std::vector<SweepOutput<Real>>&, const Profile&,
                            const DrawInputs&);
 
 }  // namespace repousse::host

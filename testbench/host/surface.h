@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "datapath/pipelines/contexts.h"
+#include "datapath/pipelines/sweep_draw.h"
 #include "datapath/profile.h"
 #include "testbench/host/draw.h"
 #include "testbench/host/mesh/mesh.h"
@@ -15,6 +16,9 @@ namespace repousse::host {
 /// there if the draw made them. Vertices are numbered by first use.
 template <class P>
 Mesh surface_mesh(const std::vector<OutputTriangle<P>>& triangles, const Profile& profile,
+                  const DrawInputs& inputs);
+template <class P>
+Mesh surface_mesh(const std::vector<SweepOutput<P>>& triangles, const Profile& profile,
                   const DrawInputs& inputs);
 
 /// The same for the view: with the map's height at each vertex, 0..1, for the relief tint.

@@ -73,7 +73,7 @@ scene threshold_range 'normal_threshold' 's/^normal_threshold = 0.3/normal_thres
 scene unknown_key 'nromal_threshold' 's/^normal_threshold/nromal_threshold/'
 scene wrong_type 'title' 's/^title = "good"/title = 3/'
 scene not_toml '' 's/^quads = .*/quads = [2, /'
-scene method_not_built 'not built yet' 's/"adaptive"/"sweep"/'
+scene method_not_built 'not built yet' 's/"adaptive"/"patches"/'
 scene method_unknown 'method' 's/"adaptive"/"magic"/'
 scene missing_map 'nowhere\.png' 's/^kind = "donut"/file = "nowhere.png"/; /^size_texels/d'
 scene missing_mesh 'nowhere\.obj' 's/^kind = "grid"/file = "nowhere.obj"/; /^quads/d'
@@ -112,6 +112,19 @@ with open(sys.argv[1], "r+b") as file:
     file.write(struct.pack(">I", 0) + b"IDAT" + struct.pack(">I", zlib.crc32(b"IDAT")))
 PYTHON
 image huge '(100000|16384)'
+
+# elevations NAME EXTENSION PATTERN: likewise for other map files.
+elevations() {
+    sed -E "s/^kind = \"donut\"/file = \"$1.$2\"/; /^size_texels/d" "$folder/good.toml" \
+        > "$folder/$1.toml"
+    expect "$1" 2 "$3" sim "$folder/$1.toml" -o "$folder/out"
+}
+printf '{"width": 2,\n "height": 1, "values": [1 2]}' > "$folder/comma.json"
+elevations comma json 'comma\.json:2:[0-9]+: '
+printf '{"width": 2, "height": 1, "values": [1, null]}' > "$folder/hole.json"
+elevations hole json 'hole\.json: texel \(1, 0\) is not finite.*fill_voids'
+printf 'CDF\x01\0\0\0\0\0\0\0\n' > "$folder/truncated.nc"
+elevations truncated nc 'truncated\.nc: offset [0-9]+: '
 
 expect no_scene 2 'nowhere\.toml' sim "$folder/nowhere.toml" -o "$folder/out"
 expect no_command 2 'subcommand' --bogus

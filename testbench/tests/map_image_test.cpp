@@ -11,6 +11,7 @@
 #include "testbench/host/files.h"
 #include "testbench/host/image/image_map.h"
 #include "testbench/host/image/picture_file.h"
+#include "testbench/host/map/voids.h"
 
 namespace repousse::host {
 namespace {
@@ -69,12 +70,20 @@ TEST(ImageMap, SignedElevationsKeepTheirUnit) {
     EXPECT_EQ(grid->low, -100.0);
 }
 
-TEST(ImageMap, RefusesNotFiniteTexelsWithTheirPosition) {
+TEST(ImageMap, NotFiniteTexelsStayAndAreOutsideTheRange) {
     std::vector<float> samples(12, 0.5f);
+    samples[0] = -1.0f;
     samples[4 + 2] = std::numeric_limits<float>::quiet_NaN();
+    samples[4 + 3] = std::numeric_limits<float>::infinity();
     write(temp("n.exr"), 4, 3, OIIO::TypeDesc::FLOAT, samples);
-    EXPECT_EQ(message(temp("n.exr")),
-              temp("n.exr") + ": texel (2, 1) is not finite, expected finite heights");
+    const auto grid = read_image_grid(temp("n.exr"), {});
+    ASSERT_TRUE(grid.ok()) << grid.error().message();
+    EXPECT_TRUE(std::isnan(grid->samples[6]));
+    EXPECT_EQ(grid->low, -1.0);
+    EXPECT_EQ(grid->high, 0.5);
+    EXPECT_EQ(refuse_voids(*grid, "n.exr").error().message(),
+              "n.exr: texel (2, 1) is not finite, expected finite heights; fill_voids = true fills "
+              "such texels");
 }
 
 TEST(ImageMap, RefusesMissingEmptyAndForeignFiles) {

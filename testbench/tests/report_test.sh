@@ -14,11 +14,11 @@ fail() {
     failures=$((failures + 1))
 }
 
-# sim NAME OPTIONS...: a run into a folder of that name.
+# sim NAME OPTIONS...: a run into a folder of that name; of the scene SCENE, if it is set.
 sim() {
     local name=$1
     shift
-    "$program" sim "$scene" -o "$folder/$name" --quiet "$@" > "$folder/log" 2>&1 && return
+    "$program" sim "${SCENE:-$scene}" -o "$folder/$name" --quiet "$@" > "$folder/log" 2>&1 && return
     cat "$folder/log"
     fail "sim $* ends with status 0"
 }
@@ -50,7 +50,12 @@ sim everything --everything
 sim ref --level ref
 sim ref_everything --level ref --everything
 sim unchecked --no-check --profile narrow
-for name in first everything ref ref_everything unchecked; do valid $name; done
+SCENE=scenes/tilt_small.toml sim swept
+SCENE=scenes/tilt_small.toml sim swept_everything --everything
+SCENE=scenes/tilt_small.toml sim swept_ref --level ref
+for name in first everything ref ref_everything unchecked swept swept_everything swept_ref; do
+    valid $name
+done
 
 refused "an unknown field" 'r["surprise"] = 1'
 refused "an unknown field in an object" 'r["objects"][0]["surprise"] = 1'
@@ -64,12 +69,17 @@ refused "a negative count" 'r["objects"][0]["triangles"] = -1'
 refused "a count that is text" 'r["objects"][0]["triangles"] = "1"'
 refused "no time at level lt" 'del r["time"]'
 refused "a time at level ref" 'r["level"] = "ref"'
+refused "a grid in an adaptive object" 'r["objects"][0]["coarseness_px"] = 1'
+refused "another method's invariants" 'r["objects"][0]["method"] = "sweep"'
+refused "an object without its map" 'del r["objects"][0]["map"]'
 
 for file in frame.png mesh.ply report.json; do
     cmp "$folder/first/$file" "$folder/second/$file" || fail "two runs give the same $file"
 done
 for file in frame.png mesh.ply; do
     cmp "$folder/first/$file" "$folder/everything/$file" || fail "--everything gives the same $file"
+    cmp "$folder/swept/$file" "$folder/swept_everything/$file" ||
+        fail "--everything gives the same $file of a swept object"
 done
 for name in first everything ref unchecked; do
     for file in frame.png mesh.ply report.json timing.json; do
@@ -93,8 +103,10 @@ def omitted(report):
 
 first, everything, ref = read("first"), read("everything"), read("ref")
 needed, built = counters(first), counters(everything)
-assert omitted(first) == ["view_test", "vertex_transform"], omitted(first)
-assert omitted(everything) == [] and len(built) == len(needed) + 2
+sweep = ["grid_transform", "view_clip", "triangle_setup", "sweep_line", "perspective", "normalise"]
+ends = ["strip", "triangle_buffer"]
+assert omitted(first) == ["controller", "view_test", "vertex_transform", *sweep, *ends], first
+assert omitted(everything) == [] and len(built) == len(needed) + 11
 for unit in needed:
     assert needed[unit] == built[unit], unit
 assert built["view_test"] == {"items": 0, "tests": 0, "positives": 0}
@@ -102,6 +114,16 @@ assert first["time"] == everything["time"] and first["objects"] == everything["o
 assert first["objects"][0]["triangles"] > 1000
 assert first["objects"][0]["invariants"] == {"open_edges": 0, "flipped": 0, "zero_area": 0}
 assert "invariants" not in read("unchecked")["objects"][0]
+swept, swept_everything = read("swept"), read("swept_everything")
+assert [unit for unit in counters(swept)] == [
+    "controller", "vertex_transform", *sweep, "displace", *ends], swept
+assert set(counters(swept)) == set(counters(read("swept_ref")))
+for unit, row in counters(swept).items():
+    assert row == counters(swept_everything)[unit], unit
+assert swept["objects"] == swept_everything["objects"]
+assert swept["objects"][0]["method"] == "sweep" and swept["objects"][0]["coarseness_px"] == 6
+assert swept["objects"][0]["triangles"] == counters(swept)["strip"]["triangles"] > 100
+assert set(swept["objects"][0]["invariants"].values()) == {0}, swept
 assert set(counters(ref)) == set(needed) and ref["objects"][0]["triangles"] > 1000
 PYTHON
 

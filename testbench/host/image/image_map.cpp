@@ -91,18 +91,6 @@ Status read_samples(OIIO::ImageInput& input, const std::string& path, ElevationG
                "complete image data");
 }
 
-Status check_finite(const std::string& path, const ElevationGrid& grid) {
-    for (std::size_t i = 0; i < grid.samples.size(); ++i) {
-        if (std::isfinite(grid.samples[i])) continue;
-        const auto width = static_cast<std::size_t>(grid.width);
-        return bad(path,
-                   "texel (" + std::to_string(i % width) + ", " + std::to_string(i / width) +
-                       ") is not finite",
-                   "finite heights");
-    }
-    return done();
-}
-
 }  // namespace
 
 Result<ElevationGrid> read_image_grid(const std::string& path, std::optional<glm::dvec2> samples) {
@@ -123,7 +111,6 @@ Result<ElevationGrid> read_image_grid(const std::string& path, std::optional<glm
     grid.width = input->spec().width;
     grid.height = input->spec().height;
     status = read_samples(*input, path, grid);
-    if (status.ok()) status = check_finite(path, grid);
     if (!status.ok()) return status.error();
     std::optional<glm::dvec2> range = samples;
     if (!range) range = type_range(input->spec().format);

@@ -17,7 +17,7 @@ namespace repousse::host {
 ///
 /// The header is judged before a pixel is read: sides 1..kMaxMapSide (16384), so an image that
 /// claims 100,000 x 100,000 costs nothing. Errors (kind Input): missing file, empty file, an
-/// unknown or damaged format, a volume or deep image, a NaN or infinite texel with its position.
+/// unknown or damaged format, a volume or deep image. NaN and infinite texels stay (voids.h).
 Result<ElevationGrid> read_image_grid(const std::string& path, std::optional<glm::dvec2> samples);
 
 }  // namespace repousse::host

@@ -39,8 +39,9 @@ HeightMap quantise(const ElevationGrid& grid) {
     map.texels.resize(grid.samples.size());
     const double span = grid.high - grid.low;
     for (std::size_t i = 0; i < grid.samples.size(); ++i) {
+        const bool scalable = span > 0.0 && std::isfinite(grid.samples[i]);
         const double scaled =
-            span > 0.0 ? std::floor((grid.samples[i] - grid.low) * 65535.0 / span + 0.5) : 0.0;
+            scalable ? std::floor((grid.samples[i] - grid.low) * 65535.0 / span + 0.5) : 0.0;
         map.texels[i] = static_cast<std::uint16_t>(std::clamp(scaled, 0.0, 65535.0));
     }
     map.has_elevation = grid.metres;
@@ -52,10 +53,14 @@ HeightMap quantise(const ElevationGrid& grid) {
 }
 
 void measure_range(ElevationGrid& grid) {
-    if (grid.samples.empty()) return;
-    const auto [low, high] = std::minmax_element(grid.samples.begin(), grid.samples.end());
-    grid.low = *low;
-    grid.high = *high;
+    grid.measured = true;
+    bool found = false;
+    for (const double sample : grid.samples) {
+        if (!std::isfinite(sample)) continue;
+        grid.low = found ? std::min(grid.low, sample) : sample;
+        grid.high = found ? std::max(grid.high, sample) : sample;
+        found = true;
+    }
 }
 
 Result<HeightMap> crop(const HeightMap& map, int x, int y, int width, int height) {

@@ -25,6 +25,7 @@ struct HeightMap {
     bool has_elevation = false;
     double elevation_low_m = 0.0;   ///< metres at h = 0; only with has_elevation
     double elevation_high_m = 0.0;  ///< metres at h = 65535
+    std::size_t filled_texels = 0;  ///< of the file: voids that were filled on loading
 
     std::uint16_t at(int x, int y) const {
         return texels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
@@ -42,13 +43,15 @@ struct ElevationGrid {
     double low = 0.0;             ///< the sample value that becomes h = 0
     double high = 1.0;            ///< the sample value that becomes h = 65535
     bool metres = false;          ///< samples are elevations in metres
+    bool measured = false;        ///< low and high come from measure_range
 };
 
 /// h = floor((e - low) * 65535 / (high - low) + .5), clamped to 0..65535; all zero when
-/// high == low. 16-bit samples with low = 0, high = 65535 pass unchanged.
+/// high == low. 16-bit samples with low = 0, high = 65535 pass unchanged. A void (voids.h), NaN or
+/// infinite, becomes 0: it must have been filled or refused before.
 HeightMap quantise(const ElevationGrid& grid);
 
-/// Sets low and high of a grid to its smallest and largest sample.
+/// Sets low and high of a grid to its smallest and largest finite sample, if it has any.
 void measure_range(ElevationGrid& grid);
 
 /// The part of a map that starts at texel (x, y). Error: a part that is not inside the map.

@@ -28,6 +28,9 @@ Result<HeightMap> load_map(const Object& object, const ImageReader& image_reader
 /// uv * (size - 1) + .5 (UvSpan::Centres, uv 0 and 1 are the first and last texel's centre).
 glm::dvec2 texel_coordinate(glm::dvec2 uv, const HeightMap& map, UvSpan span);
 
+/// The uv position of texel coordinates: the inverse.
+glm::dvec2 map_uv(glm::dvec2 texel, const HeightMap& map, UvSpan span);
+
 /// World size of one texel on this mesh, as `normal_map` wants it.
 glm::dvec2 texel_size(const Mesh& mesh, const HeightMap& map, UvSpan span);
 

@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include <glm/geometric.hpp>
+
 #include "testbench/host/files.h"
 #include "testbench/host/scene/object_reader.h"
 
@@ -22,14 +24,43 @@ void read_fbm(TableReader& reader, FbmSettings& fbm) {
     fbm.ridged = reader.boolean("ridged", false);
 }
 
-/// `file` of a map: found, or replaced by `fallback`, or refused.
+/// The axis of a scanner. Its keys are required with a range map: no default fits a mesh.
+void read_axis(TableReader& reader, MapRecipe& recipe) {
+    reader.require("axis", "[x, y, z, x, y, z]: the axis from v = 0 to v = 1, in mesh units");
+    reader.require("front", "an array of 3 numbers: what lies at u = 0");
+    const std::vector<double> axis = reader.numbers("axis", 6, -kWorldLimit, kWorldLimit);
+    RangeAxis& range = recipe.axis;
+    if (!axis.empty()) {
+        range.low = {axis[0], axis[1], axis[2]};
+        range.high = {axis[3], axis[4], axis[5]};
+    }
+    range.front = reader.vector3("front", range.front, -kWorldLimit, kWorldLimit);
+    const glm::dvec3 along = range.high - range.low;
+    if (along == glm::dvec3(0.0)) {
+        reader.fail("axis", "object.map.axis has no length", "two different points");
+    } else if (!(glm::length(glm::cross(along, range.front)) >
+                 1e-9 * glm::length(along) * glm::length(range.front))) {
+        reader.fail("front", "object.map.front is zero or runs along the axis",
+                    "a direction across it");
+    }
+    const std::vector<int> size = reader.integers("size_texels", 2, 1, 4096);
+    recipe.width = size.empty() ? 512 : size[0];
+    recipe.height = size.empty() ? 512 : size[1];
+}
+
+/// `file` of a map, or of the mesh that a range map scans: found, or replaced by `fallback`, or
+/// refused.
 void read_map_file(TableReader& reader, const TomlValue& table, MapSource& map,
-                   ReadContext& context) {
-    static const std::vector<std::string> kTypes{".npz", ".png", ".tif", ".tiff", ".exr"};
+                   ReadContext& context, bool is_range) {
+    static const std::vector<std::string> kTypes{".npz", ".json", ".nc",   ".cdf",
+                                                 ".png", ".tif",  ".tiff", ".exr"};
+    static const std::vector<std::string> kMeshTypes{".obj", ".off", ".ply"};
     const std::string file = reader.text("file", "");
-    if (std::find(kTypes.begin(), kTypes.end(), extension_of(file)) == kTypes.end()) {
+    const std::vector<std::string>& types = is_range ? kMeshTypes : kTypes;
+    if (std::find(types.begin(), types.end(), extension_of(file)) == types.end()) {
         reader.fail("file", "map file \"" + file + "\" is of an unknown type",
-                    "a name that ends in .npz, .png, .tif or .exr");
+                    is_range ? "a mesh: a name that ends in .obj, .off or .ply"
+                             : "a name that ends in .npz, .json, .nc, .cdf, .png, .tif or .exr");
     }
     // The fallback is read even when it is not needed: a mistake in it must not hide until then.
     std::optional<MapRecipe> fallback;
@@ -38,7 +69,7 @@ void read_map_file(TableReader& reader, const TomlValue& table, MapSource& map,
         fallback = read_recipe(inner, MapKind::Fbm);
         inner.finish();
     }
-    map.recipe.kind = MapKind::File;
+    map.recipe.kind = is_range ? MapKind::Range : MapKind::File;
     map.recipe.mark = reader.mark("file");
     map.recipe.file = resolve_file(file, context.folder);
     if (!map.recipe.file.empty()) return;
@@ -126,8 +157,8 @@ MapRecipe read_recipe(TableReader& reader, MapKind fallback_kind) {
             read_fbm(reader, recipe.fbm);
             break;
         case MapKind::Donut:
-            break;
         case MapKind::File:
+        case MapKind::Range:
             break;
     }
     return recipe;
@@ -137,8 +168,16 @@ MapSource read_map_source(const TomlValue& table, ReadContext& context) {
     TableReader reader(table, "object.map", context);
     MapSource map;
     map.mark = reader.mark();
-    if (reader.has("file")) {
-        read_map_file(reader, table, map, context);
+    const TomlValue* kind = table.find("kind");
+    const bool is_range =
+        kind != nullptr && kind->kind == TomlValue::Kind::String && kind->string == "range";
+    if (is_range) {
+        reader.text("kind", "");
+        reader.require("file", "the mesh that is scanned: .obj, .off or .ply");
+        read_axis(reader, map.recipe);
+    }
+    if (is_range || reader.has("file")) {
+        if (reader.has("file")) read_map_file(reader, table, map, context, is_range);
         if (reader.has("sample_range")) {
             const glm::dvec2 range = reader.vector2("sample_range", {0.0, 1.0}, -1e9, 1e9);
             if (!(range.x < range.y)) {
@@ -146,10 +185,14 @@ MapSource read_map_source(const TomlValue& table, ReadContext& context) {
             }
             map.samples = range;
         }
+        if (!is_range) {
+            map.void_value = reader.optional_number("void_value", -1e300, 1e300);
+            map.fill_voids = reader.boolean("fill_voids", false);
+        }
     } else {
         reader.require("kind",
-                       "file = \"...\", or \"donut\", \"constant\", \"ramp\", \"checker\" "
-                       "or \"fbm\"");
+                       "file = \"...\", or \"donut\", \"constant\", \"ramp\", \"checker\", "
+                       "\"fbm\" or \"range\"");
         map.recipe = read_recipe(reader, MapKind::Constant);
     }
     read_cut(reader, map);
@@ -157,10 +200,10 @@ MapSource read_map_source(const TomlValue& table, ReadContext& context) {
     map.range = read_range(reader, table);
     map.wrap = reader.boolean("wrap", false);
     map.filter = static_cast<HeightFilter>(reader.choice("filter", {"nearest", "bilinear"}, 0));
-    map.uv = static_cast<UvSpan>(reader.choice("uv", {"edges", "centres"}, 0));
+    map.uv = static_cast<UvSpan>(reader.choice("uv", {"edges", "centres", "turn"}, 0));
     if (map.wrap && map.uv == UvSpan::Centres) {
         reader.fail("uv", "uv = \"centres\" on a map that wraps",
-                    "\"edges\": one turn of a periodic map spans all its texels");
+                    "\"edges\" or \"turn\": one turn of a periodic map spans all its texels");
     }
     map.recipe.fbm.wrap = map.wrap;
     reader.finish();

@@ -1,7 +1,5 @@
 #include "testbench/host/scene/object_reader.h"
 
-#include <algorithm>
-
 #include "testbench/host/files.h"
 
 namespace repousse::host {
@@ -13,6 +11,8 @@ MeshSource read_mesh_source(const TomlValue& table, ReadContext& context) {
     TableReader reader(table, "object.mesh", context);
     MeshSource mesh;
     mesh.mark = reader.mark();
+    mesh.turn_deg = reader.number("turn_deg", 0.0, -360.0, 360.0);
+    mesh.translation = reader.vector3("translation", mesh.translation, -kWorldLimit, kWorldLimit);
     if (reader.has("file")) {
         mesh.kind = MeshKind::File;
         mesh.mark = reader.mark("file");
@@ -54,29 +54,6 @@ MeshSource read_mesh_source(const TomlValue& table, ReadContext& context) {
     return mesh;
 }
 
-/// Methods that other issues build; naming one is an answer, not a spelling mistake.
-void read_method(TableReader& reader, Object& object) {
-    static const std::vector<std::string> kLater{"sweep", "patches", "tiles", "decal"};
-    object.method = reader.text("method", "adaptive");
-    if (object.method == "adaptive") return;
-    if (std::find(kLater.begin(), kLater.end(), object.method) != kLater.end()) {
-        reader.fail("method", "method \"" + object.method + "\" is not built yet", "\"adaptive\"");
-        return;
-    }
-    const std::string near = nearest_word(object.method, {"adaptive"});
-    reader.fail("method", "object.method is \"" + object.method + "\"", "\"adaptive\"",
-                near.empty() ? "" : "did you mean \"" + near + "\"?");
-}
-
-/// Tables that belong to methods and units still to come.
-void refuse_reserved(TableReader& reader) {
-    for (const char* key : {"shade", "sweep", "patches", "tiles", "decal"}) {
-        if (!reader.has(key)) continue;
-        reader.fail(key, std::string("[object.") + key + "] is not built yet",
-                    "an object without it");
-    }
-}
-
 }  // namespace
 
 Object read_object(const TomlValue& table, int index, ReadContext& context) {
@@ -85,77 +62,17 @@ Object read_object(const TomlValue& table, int index, ReadContext& context) {
     object.mark = reader.mark();
     object.name = reader.text("name", "object" + std::to_string(index + 1));
     if (object.name.empty()) reader.fail("name", "object.name is empty", "a name");
-    read_method(reader, object);
-    refuse_reserved(reader);
     reader.require("mesh", "a table [object.mesh]");
-    reader.require("map", "a table [object.map]");
-    reader.require("adaptive", "a table [object.adaptive] with at least one threshold");
     if (const TomlValue* mesh = reader.table("mesh"))
         object.mesh = read_mesh_source(*mesh, context);
     if (const TomlValue* map = reader.table("map")) object.map = read_map_source(*map, context);
-    if (const TomlValue* adaptive = reader.table("adaptive")) {
-        object.adaptive = read_adaptive(*adaptive, context);
-    }
+    read_method(reader, object, context);
     if (const TomlValue* bump = reader.table("bump")) {
         object.bump = true;
         TableReader(*bump, "object.bump", context).finish();
     }
     reader.finish();
     return object;
-}
-
-AdaptiveSettings read_adaptive(const TomlValue& table, ReadContext& context) {
-    TableReader reader(table, "object.adaptive", context);
-    AdaptiveSettings adaptive;
-    if (reader.has("generation_cap")) {
-        const TomlValue* cap = table.find("generation_cap");
-        if (cap->kind == TomlValue::Kind::String) {
-            if (cap->string != "natural") {
-                reader.fail("generation_cap",
-                            "object.adaptive.generation_cap is \"" + cap->string + "\"",
-                            "\"natural\" or an integer in 0..15");
-            }
-        } else {
-            adaptive.generation_cap = reader.integer("generation_cap", 0, 0, 15);
-        }
-    }
-    adaptive.order = static_cast<StackOrder>(reader.choice("order", {"lifo", "fifo"}, 0));
-    adaptive.eager = reader.boolean("eager", false);
-    adaptive.box = static_cast<BoxKind>(reader.choice("box", {"square", "literal"}, 0));
-    adaptive.contexts = reader.integer("contexts", 1, 1, 16);
-    adaptive.normal_threshold = reader.optional_number("normal_threshold", 0.0, 2.0);
-    adaptive.normal_space =
-        static_cast<NormalSpace>(reader.choice("normal_space", {"world", "map"}, 0));
-    adaptive.view_threshold_px = reader.optional_number("view_threshold_px", 0.0, 4096.0);
-
-    const char* const kAverageKey = "height_threshold_lsb";
-    const char* const kSumKey = "height_threshold_lsb_texel2";
-    const auto average = reader.optional_number(kAverageKey, 0.0, 65535.0);
-    const auto sum = reader.optional_number(kSumKey, 0.0, 274877906944.0);  // 2^38
-    const bool summed = reader.has(kSumKey);
-    const int mode = reader.choice("height_mode", {"average", "sum"}, summed ? 1 : 0);
-    adaptive.height_mode = static_cast<HeightMode>(mode);
-    adaptive.height_threshold = mode == 1 ? sum : average;
-    if (reader.has(mode == 1 ? kAverageKey : kSumKey)) {
-        reader.fail(mode == 1 ? kAverageKey : kSumKey,
-                    std::string("height_mode \"") + (mode == 1 ? "sum" : "average") +
-                        "\" does not take this threshold",
-                    mode == 1 ? kSumKey : kAverageKey);
-    }
-
-    adaptive.uniform = reader.boolean("uniform", false);
-    const bool tested = reader.has(kAverageKey) || summed || reader.has("normal_threshold");
-    if (adaptive.uniform && tested) {
-        reader.fail("uniform", "uniform = true together with a height or normal threshold",
-                    "one or the other");
-    }
-    reader.finish();
-    if (!adaptive.uniform && !tested) {
-        context.fail(reader.mark(), "[object.adaptive] has no test that splits a triangle",
-                     "height_threshold_lsb, height_threshold_lsb_texel2, normal_threshold or "
-                     "uniform = true");
-    }
-    return adaptive;
 }
 
 }  // namespace repousse::host

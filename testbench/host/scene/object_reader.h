@@ -15,7 +15,8 @@ MapRecipe read_recipe(TableReader& reader, MapKind fallback_kind);
 /// Reads [object.map].
 MapSource read_map_source(const TomlValue& table, ReadContext& context);
 
-/// Reads [object.adaptive] and checks that its tests make a method.
-AdaptiveSettings read_adaptive(const TomlValue& table, ReadContext& context);
+/// Reads `method` and the table of its settings; refuses the tables of other methods, and methods
+/// and tables that are reserved. Which tables an object must have depends on its method.
+void read_method(TableReader& reader, Object& object, ReadContext& context);
 
 }  // namespace repousse::host

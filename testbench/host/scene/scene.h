@@ -10,10 +10,12 @@
 
 #include "datapath/error.h"
 #include "datapath/map_view.h"
+#include "datapath/sweep_items.h"
 #include "datapath/units/height_test.h"
 #include "datapath/units/normal_test.h"
 #include "datapath/units/triangle_stack.h"
 #include "testbench/host/map/procedural_map.h"
+#include "testbench/host/map/range_map.h"
 
 namespace repousse::host {
 
@@ -80,19 +82,22 @@ struct MeshSource {
     double radius = 1.0;
     double height = 1.0;
     int subdivisions = 2;
+    double turn_deg = 0.0;        ///< about the z axis, counter-clockwise from above
+    glm::dvec3 translation{0.0};  ///< world units, after the turn
     SceneMark mark;
 };
 
-enum class MapKind { File, Donut, Constant, Ramp, Checker, Fbm };
+enum class MapKind { File, Donut, Constant, Ramp, Checker, Fbm, Range };
 
 /// A procedural map, or the file to read one from.
 struct MapRecipe {
     MapKind kind = MapKind::Constant;
-    std::string file;  ///< resolved path, MapKind::File only
-    int width = 256;   ///< of a procedural map, texels
+    std::string file;  ///< resolved path: of a map (MapKind::File), of a mesh (Range)
+    int width = 256;   ///< of a map that is made, texels
     int height = 256;
-    int value = 0;  ///< constant
-    int start = 0;  ///< ramp
+    RangeAxis axis;  ///< range
+    int value = 0;   ///< constant
+    int start = 0;   ///< ramp
     int slope_x = 0;
     int slope_y = 0;
     int square = 16;  ///< checker
@@ -102,7 +107,9 @@ struct MapRecipe {
     SceneMark mark;
 };
 
-enum class UvSpan { Edges, Centres };  ///< uv 0..1 from border to border, or centre to centre
+/// What uv 0..1 spans: the map from border to border, from the first texel's centre to the last
+/// one's, or one turn round (u as Edges, v as Centres).
+enum class UvSpan { Edges, Centres, Turn };
 
 struct TexelBox {
     int x = 0, y = 0, width = 0, height = 0;
@@ -116,7 +123,9 @@ struct MapSource {
     std::optional<TexelBox> crop;        ///< applied first
     std::optional<glm::ivec2> resample;  ///< then this
     bool flip_rows = false;              ///< then the last row comes to v = 0
-    std::optional<glm::dvec2> samples;   ///< declared sample range of the file
+    std::optional<glm::dvec2> samples;   ///< declared sample range of the file or range map
+    std::optional<double> void_value;    ///< samples of the file that mean: no elevation here
+    bool fill_voids = false;             ///< fill them, and NaN; with void_value in any case
     glm::dvec2 range{0.0, 1.0};          ///< world displacement at h = 0 and h = 65535
     bool wrap = false;
     HeightFilter filter = HeightFilter::Nearest;
@@ -148,13 +157,33 @@ struct AdaptiveSettings {
     int contexts = 1;      ///< 1..16
 };
 
-/// One displaced object.
+/// Settings of sweep-line remeshing (Gumhold and Huettner). One *grid unit* is `coarseness_px`
+/// pixels at every distance, and as deep as it is wide.
+struct SweepSettings {
+    double coarseness_px = 1.0;
+    int guard_grid = kGridLimit;  ///< corners are clamped to +- this many grid units, 1..4096
+    std::optional<double> w_min;  ///< world units: nearer points count as this near; absent: near
+    bool clip = true;             ///< reject triangles outside the extended view volume
+};
+
+/// What the device does with an object's triangles.
+enum class Method {
+    Adaptive,  ///< tessellated recursively by tests
+    Sweep,     ///< remeshed to the size of pixels by sweep lines
+    Direct,    ///< drawn as they are: not displaced
+};
+
+/// The method as a scene writes it.
+const char* method_name(Method method);
+
+/// One object.
 struct Object {
     std::string name;
-    std::string method = "adaptive";
+    Method method = Method::Adaptive;
     MeshSource mesh;
-    MapSource map;
+    MapSource map;  ///< Method::Direct: one texel without displacement
     AdaptiveSettings adaptive;
+    SweepSettings sweep;
     bool bump = false;  ///< displaced normals are wanted in the output
     SceneMark mark;
 };
