@@ -1,0 +1,53 @@
+// The engine of rtl/units/shade.sv.
+#include "testbench/cosim/harness/harness.h"
+
+namespace repousse::harness {
+namespace {
+
+struct ShadeUnit {
+    static constexpr const char* kName = "shade";
+    static constexpr int kConfigs = 5 + 9 * LIGHTS;
+    static constexpr int kInputs = 6;
+    static constexpr int kOutputs = 3;
+    static constexpr int kReadEntries = 0;
+
+    static void configure(Vunit& top, const int64_t* config) {
+        top.ambient_red = bits<LIGHT_WIDTH>(config[0]);
+        top.ambient_green = bits<LIGHT_WIDTH>(config[1]);
+        top.ambient_blue = bits<LIGHT_WIDTH>(config[2]);
+        top.shininess = bits<8>(config[3]);
+        top.two_sided = bits<1>(config[4]);
+        const int64_t* lights = config + 5;
+        drive_vector<NORMAL_WIDTH>(top.light_x, lights, LIGHTS);
+        drive_vector<NORMAL_WIDTH>(top.light_y, lights + LIGHTS, LIGHTS);
+        drive_vector<NORMAL_WIDTH>(top.light_z, lights + 2 * LIGHTS, LIGHTS);
+        drive_vector<LIGHT_WIDTH>(top.diffuse_red, lights + 3 * LIGHTS, LIGHTS);
+        drive_vector<LIGHT_WIDTH>(top.diffuse_green, lights + 4 * LIGHTS, LIGHTS);
+        drive_vector<LIGHT_WIDTH>(top.diffuse_blue, lights + 5 * LIGHTS, LIGHTS);
+        drive_vector<LIGHT_WIDTH>(top.specular_red, lights + 6 * LIGHTS, LIGHTS);
+        drive_vector<LIGHT_WIDTH>(top.specular_green, lights + 7 * LIGHTS, LIGHTS);
+        drive_vector<LIGHT_WIDTH>(top.specular_blue, lights + 8 * LIGHTS, LIGHTS);
+    }
+
+    static void drive(Vunit& top, const int64_t* in) {
+        top.n_x = bits<NORMAL_WIDTH>(in[0]);
+        top.n_y = bits<NORMAL_WIDTH>(in[1]);
+        top.n_z = bits<NORMAL_WIDTH>(in[2]);
+        top.v_x = bits<NORMAL_WIDTH>(in[3]);
+        top.v_y = bits<NORMAL_WIDTH>(in[4]);
+        top.v_z = bits<NORMAL_WIDTH>(in[5]);
+    }
+
+    static void sample(const Vunit& top, int64_t* out) {
+        out[0] = top.red;
+        out[1] = top.green;
+        out[2] = top.blue;
+    }
+};
+
+}  // namespace
+}  // namespace repousse::harness
+
+const RepousseEngine* repousse_engine() {
+    return repousse::harness::engine<repousse::harness::ShadeUnit>();
+}
