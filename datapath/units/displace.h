@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "datapath/items.h"
@@ -7,8 +8,45 @@
 #include "datapath/numbers/policy.h"
 #include "datapath/profile.h"
 #include "datapath/span.h"
+#include "datapath/transaction.h"
+#include "datapath/units/displace_desc.h"
 
 namespace repousse {
+
+/// A vertex as it enters the unit: the input ports of the description.
+struct DisplaceIn {
+    Vec3<int32_t> p, n;
+    Uv u;
+
+    std::array<Word, 8> pack() const { return {p.x, p.y, p.z, n.x, n.y, n.z, u.x, u.y}; }
+    static DisplaceIn unpack(const Word* w) {
+        const auto vector = [](const Word* v) {
+            return Vec3<int32_t>{static_cast<int32_t>(v[0]), static_cast<int32_t>(v[1]),
+                                 static_cast<int32_t>(v[2])};
+        };
+        return {vector(w), vector(w + 3), uv_from_words(w + 6)};
+    }
+};
+static_assert(ports_are(kDisplaceDesc, PortKind::Input,
+                        {"p_x", "p_y", "p_z", "n_x", "n_y", "n_z", "u_x", "u_y"}));
+
+/// The words of the map registers.
+inline std::array<Word, 7> pack_displace_registers(const MapView<Fixed>& map) {
+    return {map.width,          map.height,         map.wrap, map.filter == HeightFilter::Bilinear,
+            map.scale_mantissa, map.scale_exponent, map.bias};
+}
+static_assert(ports_are(kDisplaceDesc, PortKind::Config,
+                        {"map_width", "map_height", "wrap", "bilinear", "scale_mantissa",
+                         "scale_exponent", "bias"}));
+
+/// The vertex that leaves it.
+struct DisplaceOut {
+    Vec3<int32_t> displaced;
+
+    std::array<Word, 3> pack() const { return {displaced.x, displaced.y, displaced.z}; }
+};
+static_assert(ports_are(kDisplaceDesc, PortKind::Output,
+                        {"displaced_x", "displaced_y", "displaced_z"}));
 
 /// What `displace` counted.
 struct DisplaceCounters {

@@ -28,17 +28,18 @@ inline constexpr Port kDisplacePorts[] = {
 inline constexpr std::string_view kDisplaceKeys[] = {"uv",           "height",   "filtered_height",
                                                      "displacement", "position", "normal"};
 
-/// Four reads for a bilinear height, one for the nearest texel; interpolation, scale, multiply-add.
-/// The interval is that of bilinear reads through one port.
+/// Four reads for a bilinear height, one for the nearest texel, through one port; interpolation,
+/// scale, multiply-add. The figures are those of bilinear heights, with a memory that answers in
+/// the next cycle.
 inline constexpr UnitDesc kDisplaceDesc = {
     "displace",
     "Doggett and Hirche 2000, equation 1 and section 3 (Displace Vertex)",
     kDisplacePorts,
     kDisplaceKeys,
-    8,  // latency
-    4,  // interval
-    8,  // capacity
-    0,  // backward latency
+    16,  // latency
+    4,   // interval
+    11,  // capacity
+    1,   // backward latency: the response places are counted in registers
 };
 
 }  // namespace repousse

@@ -1,8 +1,18 @@
 #include "datapath/units/edge_iter.h"
 
-#include <algorithm>
-
 namespace repousse {
+
+template <class P>
+std::array<EdgeIterOut, 3> EdgeIter<P>::operator()(const EdgeIterIn& in) const {
+    std::array<EdgeIterOut, 3> edges;
+    for (unsigned e = 0; e < 3; ++e) {
+        const bool known = (in.unsplit >> e & 1) != 0;
+        edges[e].number = static_cast<uint8_t>(e);
+        edges[e].eligible = !capped(in.generations[e], in.generations[(e + 1) % 3]) && !known;
+        edges[e].last = e == 2;
+    }
+    return edges;
+}
 
 template <class P>
 void EdgeIter<P>::run(Span<const Triangle<P>> triangles, Span<Edge<P>> edges) {
@@ -11,15 +21,15 @@ void EdgeIter<P>::run(Span<const Triangle<P>> triangles, Span<Edge<P>> edges) {
         for (unsigned e = 0; e < 3; ++e, ++edge) {
             const Vertex<P>& v1 = triangle.corners[e];
             const Vertex<P>& v2 = triangle.corners[(e + 1) % 3];
-            const bool capped = std::max(v1.generation, v2.generation) >= cap_;
+            const bool too_fine = capped(v1.generation, v2.generation);
             const bool known = (triangle.unsplit_edges >> e & 1) != 0;
             edge->v1 = &v1;
             edge->v2 = &v2;
-            edge->eligible = edge->undecided = !capped && !known;
+            edge->eligible = edge->undecided = !too_fine && !known;
             edge->ct = edge->vt = true;
             edge->nt = edge->sht = edge->split = false;
-            counters_.capped += capped;
-            counters_.known_unsplit += known && !capped;
+            counters_.capped += too_fine;
+            counters_.known_unsplit += known && !too_fine;
         }
     }
     counters_.items += edges.size();

@@ -1,12 +1,43 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "datapath/items.h"
 #include "datapath/numbers/policy.h"
 #include "datapath/span.h"
+#include "datapath/transaction.h"
+#include "datapath/units/edge_iter_desc.h"
 
 namespace repousse {
+
+/// What edge_iter needs to know of a triangle: the input ports of the description.
+struct EdgeIterIn {
+    std::array<uint8_t, 3> generations{};  ///< of the corners
+    uint8_t unsplit = 0;                   ///< bit e: edge e is known to be unsplit
+
+    std::array<Word, 4> pack() const {
+        return {generations[0], generations[1], generations[2], unsplit};
+    }
+    static EdgeIterIn unpack(const Word* w) {
+        const auto byte = [w](int i) { return static_cast<uint8_t>(w[i]); };
+        return {{byte(0), byte(1), byte(2)}, byte(3)};
+    }
+};
+static_assert(ports_are(kEdgeIterDesc, PortKind::Input,
+                        {"generation1", "generation2", "generation3", "unsplit"}));
+static_assert(ports_are(kEdgeIterDesc, PortKind::Config, {"cap"}));
+
+/// One of the three beats that it makes of a triangle.
+struct EdgeIterOut {
+    uint8_t number = 0;
+    bool eligible = false;
+    bool last = false;
+
+    std::array<Word, 3> pack() const { return {number, eligible, last}; }
+};
+static_assert(ports_are(kEdgeIterDesc, PortKind::Output, {"number", "eligible", "last"}));
 
 /// What `edge_iter` counted.
 struct EdgeIterCounters {
@@ -30,6 +61,9 @@ public:
     /// `cap`: the highest generation a new vertex may have, 0 (never split) to kMaxCap.
     void configure(int cap) { cap_ = cap; }
 
+    /// One item of the unit: its three beats.
+    std::array<EdgeIterOut, 3> operator()(const EdgeIterIn& in) const;
+
     /// Writes three edges for each triangle; `edges` has 3 * triangles.size() places. The edges
     /// refer to the triangles' corners.
     void run(Span<const Triangle<P>> triangles, Span<Edge<P>> edges);
@@ -38,6 +72,11 @@ public:
     void reset() { counters_ = {}; }
 
 private:
+    /// Whether the vertex between ends of these generations would be beyond the cap.
+    bool capped(int generation1, int generation2) const {
+        return (generation1 > generation2 ? generation1 : generation2) >= cap_;
+    }
+
     int cap_ = 0;
     EdgeIterCounters counters_;
 };

@@ -10,8 +10,9 @@ inline constexpr Port kEdgeIterPorts[] = {
     {PortKind::Input, "generation2", "", 4, true, "of corner 2"},
     {PortKind::Input, "generation3", "", 4, true, "of corner 3"},
     {PortKind::Input, "unsplit", "", 3, true, "bit e: edge e is known to be unsplit"},
-    {PortKind::Output, "edge", "", 2, true, "0: 12, 1: 23, 2: 31"},
-    {PortKind::Output, "eligible", "", 1, true, "the edge may be split"},
+    {PortKind::Output, "number", "", 2, true, "of the edge, 0: 12, 1: 23, 2: 31"},
+    {PortKind::Output, "eligible", "", 1, true, "the edge may be split; otherwise it is decided"},
+    {PortKind::Output, "last", "", 1, true, "the triangle's last edge"},
 };
 
 /// One edge a cycle, three a triangle.
@@ -22,6 +23,7 @@ inline constexpr UnitDesc kEdgeIterDesc = {
     3,   // interval
     1,   // capacity
     0,   // backward latency
+    "last",
 };
 
 }  // namespace repousse

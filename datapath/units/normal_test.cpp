@@ -44,6 +44,20 @@ bool NormalTest<P>::operator()(const Vertex<P>& v1, const Vertex<P>& v2,
 }
 
 template <class P>
+NormalTestOut NormalTest<P>::operator()(const NormalTestIn& in) const {
+    const auto vector = [](const Vec3<int32_t>& n) {
+        return Vec3<V>{static_cast<V>(n.x), static_cast<V>(n.y), static_cast<V>(n.z)};
+    };
+    std::array<Vertex<P>, 3> v;
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        v[i].displaced_normal = vector(in.vertices[i].displaced_normal);
+        v[i].map_normal = vector(in.vertices[i].map_normal);
+        v[i].normal = vector(in.vertices[i].normal);
+    }
+    return {!in.skip && (*this)(v[0], v[1], v[2])};
+}
+
+template <class P>
 void NormalTest<P>::run(Span<Edge<P>> edges, bool eager) {
     counters_.items += edges.size();
     for (Edge<P>& edge : edges) {

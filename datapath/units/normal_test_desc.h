@@ -8,6 +8,7 @@ inline constexpr Port kNormalTestPorts[] = {
     {PortKind::Config, "threshold", "displaced_normal", 0, true,
      "largest difference that passes; components differ by up to 2"},
     {PortKind::Config, "map_space", "", 1, true, "compare N_D and N apart"},
+    {PortKind::Input, "skip", "", 1, true, "the edge is decided: pass it on with result 0"},
     {PortKind::Input, "displaced_normal1_x", "displaced_normal", 0, false, "end 1"},
     {PortKind::Input, "displaced_normal1_y", "displaced_normal", 0, false, ""},
     {PortKind::Input, "displaced_normal1_z", "displaced_normal", 0, false, ""},

@@ -82,6 +82,45 @@ void Split<P>::tessellate(const Triangle<P>& triangle, const Edge<P>* edges,
     }
 }
 
+template <class P>
+SplitBeats Split<P>::operator()(const SplitIn& in) {
+    Triangle<P> triangle;
+    std::array<Edge<P>, 3> edges;
+    const auto vector = [&in](std::size_t i) {
+        const Vec3<int32_t>& p = in.displaced[i];
+        return Vec3<V>{static_cast<V>(p.x), static_cast<V>(p.y), static_cast<V>(p.z)};
+    };
+    for (unsigned e = 0; e < 3; ++e) {
+        const auto bit = [e](uint8_t bits) { return (bits >> e & 1) != 0; };
+        triangle.corners[e].displaced = vector(e);
+        edges[e].mid.displaced = vector(3 + e);
+        edges[e].eligible = bit(in.eligible);
+        edges[e].ct = bit(in.ct), edges[e].vt = bit(in.vt);
+        edges[e].nt = bit(in.nt), edges[e].sht = bit(in.sht);
+    }
+    decide(Span<Edge<P>>(edges.data(), edges.size()));
+    Children<P> children;
+    tessellate(triangle, edges.data(), children);
+
+    const auto number = [&](const Vertex<P>* v) {
+        uint8_t n = 0;
+        while (v != (n < 3 ? &triangle.corners[n] : &edges[n - 3U].mid)) ++n;
+        return n;
+    };
+    SplitBeats out;
+    out.count = children.count == 0 ? 1 : children.count;
+    for (int i = 0; i < children.count; ++i) {
+        const Child<P>& child = children.triangles[static_cast<std::size_t>(i)];
+        SplitOut& beat = out.beats[static_cast<std::size_t>(i)];
+        beat.digit = static_cast<uint8_t>(i);
+        for (std::size_t c = 0; c < 3; ++c) beat.vertices[c] = number(child.corners[c]);
+        beat.unsplit = child.unsplit_edges;
+    }
+    out.beats[0].pass = children.count == 0;
+    out.beats[static_cast<std::size_t>(out.count - 1)].last = true;
+    return out;
+}
+
 template class Split<Fixed>;
 template class Split<Real>;
 

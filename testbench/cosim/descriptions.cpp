@@ -6,18 +6,32 @@
 #include <fstream>
 #include <sstream>
 
+#include "datapath/pipelines/sweep_chain_desc.h"
 #include "datapath/units/bump_desc.h"
+#include "datapath/units/controller_desc.h"
 #include "datapath/units/displace_desc.h"
 #include "datapath/units/edge_iter_desc.h"
+#include "datapath/units/grid_transform_desc.h"
 #include "datapath/units/height_test_desc.h"
 #include "datapath/units/mid_vertex_desc.h"
 #include "datapath/units/normal_test_desc.h"
+#include "datapath/units/normalise_desc.h"
+#include "datapath/units/perspective_desc.h"
+#include "datapath/units/shade_desc.h"
 #include "datapath/units/split_desc.h"
+#include "datapath/units/strip_desc.h"
+#include "datapath/units/sweep_line_desc.h"
 #include "datapath/units/texcoord_test_desc.h"
+#include "datapath/units/triangle_buffer_desc.h"
+#include "datapath/units/triangle_setup_desc.h"
 #include "datapath/units/triangle_stack_desc.h"
 #include "datapath/units/vertex_transform_desc.h"
+#include "datapath/units/view_clip_desc.h"
 #include "datapath/units/view_test_desc.h"
+#include "testbench/cosim/engine_builder.h"
+#include "testbench/cosim/log2_tables.h"
 #include "testbench/cosim/parameters.h"
+#include "testbench/cosim/power_tables.h"
 
 namespace repousse::cosim {
 namespace {
@@ -79,9 +93,12 @@ Result<std::string> with_tables(const fs::path& path, const std::string& sheet,
 }  // namespace
 
 std::vector<const UnitDesc*> unit_descriptions() {
-    return {&kTriangleStackDesc, &kEdgeIterDesc,        &kMidVertexDesc, &kTexcoordTestDesc,
-            &kViewTestDesc,      &kDisplaceDesc,        &kBumpDesc,      &kNormalTestDesc,
-            &kHeightTestDesc,    &kVertexTransformDesc, &kSplitDesc};
+    return {&kTriangleStackDesc, &kEdgeIterDesc,        &kMidVertexDesc,  &kTexcoordTestDesc,
+            &kViewTestDesc,      &kDisplaceDesc,        &kBumpDesc,       &kNormalTestDesc,
+            &kHeightTestDesc,    &kVertexTransformDesc, &kViewClipDesc,   &kPerspectiveDesc,
+            &kNormaliseDesc,     &kSplitDesc,           &kStripDesc,      &kGridTransformDesc,
+            &kTriangleSetupDesc, &kSweepLineDesc,       &kControllerDesc, &kTriangleBufferDesc,
+            &kShadeDesc,         &kSweepChainDesc};
 }
 
 std::string verilog_parameters(const UnitDesc& desc, const Profile& profile) {
@@ -89,10 +106,10 @@ std::string verilog_parameters(const UnitDesc& desc, const Profile& profile) {
     std::size_t longest = 0;
     for (const Parameter& p : list) longest = std::max(longest, p.name.size());
     std::string text = fmt::format(
-        "    // Printed from datapath/units/{}_desc.h; the defaults are the profile `default`.\n"
+        "    // Printed from datapath/{}/{}_desc.h; the defaults are the profile `default`.\n"
         "    // A unit need not use all that an entry gives.\n"
         "    /* verilator lint_off UNUSEDPARAM */\n",
-        desc.name);
+        desc.parts.empty() ? "units" : "pipelines", desc.name);
     for (std::size_t i = 0; i < list.size(); ++i) {
         const std::string value = std::to_string(list[i].value) + (i + 1 < list.size() ? "," : "");
         text += fmt::format("    parameter integer {:<{}} = {:<3}  // {}\n", list[i].name, longest,
@@ -104,7 +121,9 @@ std::string verilog_parameters(const UnitDesc& desc, const Profile& profile) {
 std::string sheet_tables(const UnitDesc& desc, const Profile& profile) {
     std::string text = "\n| port | direction | format | meaning |\n|---|---|---|---|\n";
     for (const Port& port : desc.ports) {
-        text += fmt::format("| `{}` | {} | `{}` | {} |\n", port.name, kind_name(port.kind),
+        const int elements = port_elements(port, profile);
+        const std::string times = port.count_key.empty() ? "" : fmt::format("{} x ", elements);
+        text += fmt::format("| `{}` | {} | {}`{}` | {} |\n", port.name, kind_name(port.kind), times,
                             plain_format(port_format(port, profile)), cell(port.doc));
     }
     text += "\n| profile entry | value in `default` |\n|---|---|\n";
@@ -125,8 +144,9 @@ Result<std::vector<PrintedFile>> print_descriptions(const fs::path& root, const 
     std::vector<PrintedFile> files;
     for (const UnitDesc* desc : unit_descriptions()) {
         const std::string name(desc->name);
-        if (fs::exists(root / "rtl/units" / (name + ".sv"))) {
-            const fs::path path = fs::path("rtl/units") / (name + "_params.svh");
+        const fs::path folder = rtl_folder(*desc);
+        if (fs::exists(root / folder / (name + ".sv"))) {
+            const fs::path path = folder / (name + "_params.svh");
             const std::string text = verilog_parameters(*desc, profile);
             files.push_back({path, text, read_text(root / path) != text});
         }
@@ -137,6 +157,16 @@ Result<std::vector<PrintedFile>> print_descriptions(const fs::path& root, const 
             if (!text) return text.error();
             files.push_back({path, *text, old != *text});
         }
+    }
+    if (const fs::path path = "rtl/units/grid_transform_tables.svh";
+        fs::exists(root / "rtl/units/grid_transform.sv")) {
+        const std::string text = verilog_log2_tables();
+        files.push_back({path, text, read_text(root / path) != text});
+    }
+    if (const fs::path path = "rtl/units/shade_tables.svh";
+        fs::exists(root / "rtl/units/shade.sv")) {
+        const std::string text = verilog_power_tables();
+        files.push_back({path, text, read_text(root / path) != text});
     }
     return files;
 }

@@ -36,6 +36,15 @@ public:
     /// Whether the unit has a read port, so that its scenarios have a table.
     virtual bool reads_table() const { return false; }
 
+    /// Random transactions under one setting of the registers: long against any pipeline, small
+    /// against a cache.
+    virtual std::size_t batch() const { return 4096; }
+
+    /// How much work a transaction is, in Verilator and in Icarus, against the decision on an edge:
+    /// by default so many fewer are tried.
+    virtual uint64_t weight() const { return 1; }
+    virtual uint64_t icarus_weight() const { return 1; }
+
     /// The hard cases by name. They are the same in every run and are committed as vectors.
     virtual std::vector<Scenario> hard_cases() const = 0;
 
@@ -46,7 +55,7 @@ public:
     /// scenario behind the last one. Only for a model of tiny_profile().
     virtual Scenario exhaustive(uint64_t portion) const = 0;
 
-    /// The datapath's outputs for a scenario, in order.
+    /// The datapath's outputs for a scenario, beat by beat, in order.
     virtual void evaluate(const Scenario& scenario, std::vector<int64_t>& outputs) = 0;
 
     /// A model of the same unit under another profile.
@@ -56,8 +65,12 @@ public:
     virtual Profile tiny_profile() const = 0;
 
     const Profile& profile() const { return profile_; }
+    /// Words of an item, words of a beat, and which of the latter marks an item's last beat (-1:
+    /// each item is one beat).
     std::size_t inputs() const { return inputs_; }
     std::size_t outputs() const { return outputs_; }
+    int last() const { return last_; }
+    bool ends_item(const int64_t* beat) const { return last_ < 0 || beat[last_] != 0; }
     std::size_t count(const Scenario& scenario) const { return scenario.inputs.size() / inputs_; }
 
 protected:
@@ -67,6 +80,7 @@ private:
     Profile profile_;
     std::size_t inputs_;
     std::size_t outputs_;
+    int last_;
 };
 
 /// The names of the units that have RTL, and their models.
@@ -76,5 +90,17 @@ std::unique_ptr<UnitModel> make_unit_model(std::string_view name, const Profile&
 std::unique_ptr<UnitModel> make_texcoord_test_model(const Profile& profile);
 std::unique_ptr<UnitModel> make_view_test_model(const Profile& profile);
 std::unique_ptr<UnitModel> make_height_test_model(const Profile& profile);
+std::unique_ptr<UnitModel> make_normal_test_model(const Profile& profile);
+std::unique_ptr<UnitModel> make_edge_iter_model(const Profile& profile);
+std::unique_ptr<UnitModel> make_split_model(const Profile& profile);
+std::unique_ptr<UnitModel> make_displace_model(const Profile& profile);
+std::unique_ptr<UnitModel> make_view_clip_model(const Profile& profile);
+std::unique_ptr<UnitModel> make_perspective_model(const Profile& profile);
+std::unique_ptr<UnitModel> make_normalise_model(const Profile& profile);
+std::unique_ptr<UnitModel> make_grid_transform_model(const Profile& profile);
+std::unique_ptr<UnitModel> make_strip_model(const Profile& profile);
+std::unique_ptr<UnitModel> make_sweep_chain_model(const Profile& profile);
+std::unique_ptr<UnitModel> make_sweep_line_model(const Profile& profile);
+std::unique_ptr<UnitModel> make_shade_model(const Profile& profile);
 
 }  // namespace repousse::cosim

@@ -62,7 +62,10 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(Units, Vectors,
-                         testing::Values("texcoord_test", "view_test", "height_test"),
+                         testing::Values("texcoord_test", "view_test", "normal_test", "edge_iter",
+                                         "split", "displace", "height_test", "grid_transform",
+                                         "view_clip", "perspective", "strip", "sweep_line", "shade",
+                                         "normalise"),
                          [](const auto& unit) { return unit.param; });
 
 TEST_P(Vectors, CommittedOnesAreTheHardCasesWithTheDatapathsOutputs) {
@@ -116,6 +119,9 @@ TEST_P(Vectors, BadFilesAreRefusedWithTheirLine) {
     if (model_->reads_table()) {
         fs::copy_file(tables_path(path_), folder / "a.tables",
                       fs::copy_options::overwrite_existing);
+    }
+    if (model_->last() >= 0) {
+        fs::copy_file(beats_path(path_), folder / "a.beats", fs::copy_options::overwrite_existing);
     }
     std::ifstream original(path_);
     std::vector<std::string> lines;

@@ -22,6 +22,7 @@ public:
     explicit Probe(const std::string& unit)
         : model_(make_unit_model(unit, *shipped_profile("default"))), instance_(open(*model_)) {
         scenario_.inputs = {};
+        scenario_.config = model_->hard_cases().at(0).config;
         if (unit == "view_test") scenario_.config = {100};
         if (unit == "height_test") {
             scenario_.config = {16, 16, 0, 0, 0, 100};
@@ -37,12 +38,11 @@ public:
     /// present cycle; empty: at once). Fills accept and depart, relative too.
     void run(std::size_t count, std::vector<uint64_t> offer, std::vector<uint64_t> ready,
              bool skip = false) {
+        std::vector<int64_t> words = {skip, 0, 0, 1024, 512, 512, 256};
+        words.resize(model_->inputs());
         std::vector<int64_t> in;
-        for (std::size_t i = 0; i < count; ++i) {
-            const std::vector<int64_t> words = {skip, 0, 0, 1024, 512, 512, 256};
-            in.insert(in.end(), words.begin(), words.end());
-        }
-        std::vector<int64_t> out(count);
+        for (std::size_t i = 0; i < count; ++i) in.insert(in.end(), words.begin(), words.end());
+        std::vector<int64_t> out(count * model_->outputs());
         accept.assign(count, 0);
         depart.assign(count, 0);
         const uint64_t start = instance_.cycle();
@@ -65,7 +65,7 @@ private:
     static Engine open(const UnitModel& model) {
         const auto path = build_engine(model.desc(), model.profile(), source_folder());
         if (!path) throw std::runtime_error(path.error().message());
-        auto engine = Engine::open(*path, model.desc());
+        auto engine = Engine::open(*path, model.desc(), model.profile());
         if (!engine) throw std::runtime_error(engine.error().message());
         return *engine;
     }
@@ -78,7 +78,9 @@ private:
 class RtlTiming : public testing::TestWithParam<std::string> {};
 
 INSTANTIATE_TEST_SUITE_P(Units, RtlTiming,
-                         testing::Values("texcoord_test", "view_test", "height_test"),
+                         testing::Values("texcoord_test", "view_test", "normal_test", "height_test",
+                                         "grid_transform", "view_clip", "perspective", "strip",
+                                         "shade", "normalise"),
                          [](const auto& unit) { return unit.param; });
 
 TEST_P(RtlTiming, ReadyInCycleZero) {
@@ -125,7 +127,8 @@ TEST_P(RtlTiming, SkippedItemsPassOneACycle) {
 
 /// A(i) = max(V(i), A(i-1)+1, D(i-C)+r), D(i) = max(A(i)+L, D(i-1)+1, R(i)): exact for a pipe.
 TEST(RtlTimingOf, SinglePipelinesFollowTheirRecurrence) {
-    for (const char* unit : {"texcoord_test", "view_test"}) {
+    for (const char* unit : {"texcoord_test", "view_test", "normal_test", "grid_transform",
+                             "view_clip", "perspective", "strip", "shade", "normalise"}) {
         Probe probe(unit);
         Random random(3);
         constexpr std::size_t kCount = 20000;
@@ -151,6 +154,25 @@ TEST(RtlTimingOf, SinglePipelinesFollowTheirRecurrence) {
         }
         EXPECT_EQ(wrong, 0U) << unit;
     }
+}
+
+TEST(RtlTimingOf, DisplaceTakesAsManyCyclesAsItReads) {
+    Probe probe("displace");
+    const UnitDesc& desc = probe.desc();
+    const Table map{4, 4, std::vector<uint64_t>(25, 5)};
+    for (const bool bilinear : {false, true}) {
+        const auto reads = bilinear ? uint64_t(desc.interval) : 1;
+        probe.instance().configure({4, 4, 0, bilinear, 1 << 23, 40, 0}, &map, 1);
+        probe.run(1, {7}, {});
+        EXPECT_EQ(probe.depart[0] - probe.accept[0], uint64_t(desc.latency - 4) + reads);
+        probe.run(100, {}, {});
+        EXPECT_EQ(probe.accept[61] - probe.accept[60], reads);
+        EXPECT_EQ(probe.depart[61] - probe.depart[60], reads);
+    }
+    const auto capacity = static_cast<std::size_t>(desc.capacity);
+    probe.run(capacity + 5, {}, std::vector<uint64_t>(capacity + 5, 1000));
+    EXPECT_LT(probe.accept[capacity - 1], 1000U);
+    EXPECT_GE(probe.accept[capacity], 1000U + uint64_t(desc.backward_latency));
 }
 
 TEST(RtlTimingOf, HeightTestTakesAsManyCyclesAsItReads) {

@@ -1,0 +1,212 @@
+`default_nettype none
+
+// Displace Vertex (Doggett and Hirche 2000, equation 1 and section 3): P' = P + D(U) N, with the
+// height of the nearest texel or of the four around U, interpolated, scaled to world units.
+//
+// Stage 1: the cell that U lies in. Stage 2: a read a cycle, one or four. Stages 3 and 4 of the
+// answers: weights; the sum of a vertex' answers is stage 5. Stage 6: the height. Stages 7 to 9:
+// D. Stage 10: the products D * N. Stage 11: P + D N, cast.
+//
+// Time: with a memory that answers M cycles after a request, latency 12 + M, and 3 more with four
+// reads; 1 or 4 cycles a vertex; in_ready depends on registers and on the memory alone.
+module displace #(
+`include "rtl/units/displace_params.svh"
+) (
+    input  wire                           clk,
+    input  wire                           rst_n,           // synchronous, low
+
+    // Registers, stable while vertices are in the unit.
+    input  wire        [14:0]             map_width,       // texels
+    input  wire        [14:0]             map_height,
+    input  wire                           wrap,            // the map is periodic
+    input  wire                           bilinear,        // otherwise the nearest texel
+    input  wire        [24:0]             scale_mantissa,  // D = h * mantissa * 2^-exponent + bias
+    input  wire        [5:0]              scale_exponent,
+    input  wire signed [DISPLACEMENT_WIDTH-1:0] bias,
+
+    input  wire                           in_valid,
+    output wire                           in_ready,
+    input  wire signed [POSITION_WIDTH-1:0] p_x,           // P
+    input  wire signed [POSITION_WIDTH-1:0] p_y,
+    input  wire signed [POSITION_WIDTH-1:0] p_z,
+    input  wire signed [NORMAL_WIDTH-1:0] n_x,             // N
+    input  wire signed [NORMAL_WIDTH-1:0] n_y,
+    input  wire signed [NORMAL_WIDTH-1:0] n_z,
+    input  wire signed [UV_WIDTH-1:0]     u_x,             // within one period of the map
+    input  wire signed [UV_WIDTH-1:0]     u_y,
+
+    // The texel read port: requests, and answers in their order.
+    output wire                           texel_valid,
+    input  wire                           texel_ready,
+    output wire        [13:0]             texel_x,
+    output wire        [13:0]             texel_y,
+    input  wire                           texel_rvalid,
+    output wire                           texel_rready,
+    input  wire        [HEIGHT_WIDTH-1:0] texel_rdata,
+
+    output wire                           out_valid,
+    input  wire                           out_ready,
+    output wire signed [POSITION_WIDTH-1:0] displaced_x,
+    output wire signed [POSITION_WIDTH-1:0] displaced_y,
+    output wire signed [POSITION_WIDTH-1:0] displaced_z
+);
+    localparam integer PW = POSITION_WIDTH;
+    localparam integer NW = NORMAL_WIDTH;
+    localparam integer DW = DISPLACEMENT_WIDTH;
+    localparam integer VW = 3 * (PW + NW);         // P and N
+    localparam integer WW = UV_FRAC + 1;           // a weight
+
+    localparam integer FILTER_BITS = FILTERED_HEIGHT_FRAC - HEIGHT_FRAC;
+    localparam integer HW = (FILTERED_HEIGHT_WIDTH > HEIGHT_WIDTH + FILTER_BITS)
+                          ? FILTERED_HEIGHT_WIDTH : HEIGHT_WIDTH + FILTER_BITS;
+    localparam integer ALIGN = DISPLACEMENT_FRAC + NORMAL_FRAC - POSITION_FRAC;  // >= 0
+    localparam integer TW = ((PW + ALIGN > DW + NW) ? PW + ALIGN : DW + NW) + 1;
+
+    // Beats in flight: one a cycle while the memory answers within 6 cycles.
+    localparam integer IN_FLIGHT = 8;
+
+    // Stages 1 and 2.
+    wire          load_cell, load_item;
+    wire          cell_valid, cell_ready;
+    wire [VW-1:0] cell_vertex;
+    wire          beat_valid, beat_ready, beat_last;
+    wire [VW-1:0] beat_vertex;
+    wire [2:0]    beat_j;
+
+    rp_pipe #(.W(VW), .L(1)) locating (
+        .clk(clk), .rst_n(rst_n),
+        .in_valid(in_valid), .in_ready(in_ready), .in_data({p_z, p_y, p_x, n_z, n_y, n_x}),
+        .out_valid(cell_valid), .out_ready(cell_ready), .out_data(cell_vertex),
+        .load(load_cell)
+    );
+    rp_expand #(.W(VW), .NW(3)) reading (
+        .clk(clk), .rst_n(rst_n),
+        .in_valid(cell_valid), .in_ready(cell_ready), .in_data(cell_vertex),
+        .in_n(bilinear ? 3'd4 : 3'd1),
+        .out_valid(beat_valid), .out_ready(beat_ready), .out_data(beat_vertex),
+        .out_j(beat_j), .out_last(beat_last), .load(load_item)
+    );
+
+    wire [13:0]   x_low, x_high, y_low, y_high;
+    wire [WW-1:0] x_low_weight, x_high_weight, y_low_weight, y_high_weight;
+
+    displace_cell #(.UV_WIDTH(UV_WIDTH), .UV_FRAC(UV_FRAC)) column (
+        .clk(clk), .load(load_cell), .load_item(load_item),
+        .size(map_width), .wrap(wrap), .bilinear(bilinear), .u(u_x),
+        .low(x_low), .high(x_high), .low_weight(x_low_weight), .high_weight(x_high_weight)
+    );
+    displace_cell #(.UV_WIDTH(UV_WIDTH), .UV_FRAC(UV_FRAC)) row (
+        .clk(clk), .load(load_cell), .load_item(load_item),
+        .size(map_height), .wrap(wrap), .bilinear(bilinear), .u(u_y),
+        .low(y_low), .high(y_high), .low_weight(y_low_weight), .high_weight(y_high_weight)
+    );
+
+    assign texel_x = beat_j[0] ? x_high : x_low;
+    assign texel_y = beat_j[1] ? y_high : y_low;
+
+    wire unused_j = &{1'b0, beat_j[2]};            // four beats are numbered 0 to 3
+
+    // The reads. Weights and vertex ride along with each beat.
+    wire                    answer_valid, answer_ready, answer_first, answer_last;
+    wire                    unused_read;
+    wire [WW-1:0]           answer_weight_x, answer_weight_y;
+    wire [VW-1:0]           answer_vertex;
+    wire [HEIGHT_WIDTH-1:0] answer;
+
+    rp_client #(.DW(HEIGHT_WIDTH), .TW(2 + 2 * WW + VW), .K(IN_FLIGHT)) reader (
+        .clk(clk), .rst_n(rst_n),
+        .in_valid(beat_valid), .in_ready(beat_ready), .in_read(1'b1),
+        .in_tag({beat_j == 3'd0, beat_last, beat_j[0] ? x_high_weight : x_low_weight,
+                 beat_j[1] ? y_high_weight : y_low_weight, beat_vertex}),
+        .mem_valid(texel_valid), .mem_ready(texel_ready),
+        .mem_rvalid(texel_rvalid), .mem_rready(texel_rready), .mem_rdata(texel_rdata),
+        .out_valid(answer_valid), .out_ready(answer_ready),
+        .out_tag({answer_first, answer_last, answer_weight_x, answer_weight_y, answer_vertex}),
+        .out_read(unused_read), .out_data(answer)
+    );
+
+    // Stages 3 and 4, beat by beat; stage 5 adds the beats up; 6 to 11, vertex by vertex.
+    wire [1:0]    load_answer;
+    wire          load_beat;
+    wire [6:0]    load;
+    wire          term_valid, term_ready, term_first, term_last;
+    wire          sum_valid, sum_ready;
+    wire [VW-1:0] term_vertex;
+    wire          unused_load = load[0];           // stage 5 takes every beat, not only the last
+    wire          unused_out;
+
+    rp_pipe #(.W(2 + VW), .L(2)) weighting (
+        .clk(clk), .rst_n(rst_n),
+        .in_valid(answer_valid), .in_ready(answer_ready),
+        .in_data({answer_first, answer_last, answer_vertex}),
+        .out_valid(term_valid), .out_ready(term_ready),
+        .out_data({term_first, term_last, term_vertex}),
+        .load(load_answer)
+    );
+    rp_collect adding (
+        .in_valid(term_valid), .in_ready(term_ready), .in_last(term_last),
+        .out_valid(sum_valid), .out_ready(sum_ready), .load(load_beat)
+    );
+    rp_pipe #(.W(1), .L(7)) stages (
+        .clk(clk), .rst_n(rst_n),
+        .in_valid(sum_valid), .in_ready(sum_ready), .in_data(1'b0),
+        .out_valid(out_valid), .out_ready(out_ready), .out_data(unused_out),
+        .load(load)
+    );
+
+    // P and N wait for D, from stage 5 to stage 9.
+    wire [VW-1:0] vertex;
+
+    rp_delay #(.W(VW), .L(5)) waiting (
+        .clk(clk), .load(load[4:0]), .in_data(term_vertex), .out_data(vertex)
+    );
+
+    wire [HW-1:0]        height;
+    wire signed [DW-1:0] d;
+
+    displace_height #(
+        .HEIGHT_WIDTH(HEIGHT_WIDTH), .UV_FRAC(UV_FRAC), .SHIFT(2 * UV_FRAC - FILTER_BITS),
+        .FILTERED(FILTERED_HEIGHT_WIDTH), .OW(HW)
+    ) filter (
+        .clk(clk), .load(load_answer), .load_beat(load_beat), .load_height(load[1]),
+        .bilinear(bilinear), .first(term_first), .texel(answer),
+        .weight_x(answer_weight_x), .weight_y(answer_weight_y), .height(height)
+    );
+    displace_scale #(.HW(HW), .FRAC(DISPLACEMENT_FRAC - FILTER_BITS), .DW(DW)) scale (
+        .clk(clk), .load(load[4:2]), .height(height),
+        .mantissa(scale_mantissa), .exponent(scale_exponent), .bias(bias), .d(d)
+    );
+
+    // Stages 10 and 11.
+    wire [3*PW-1:0] displaced;
+
+    genvar k;
+    generate
+        for (k = 0; k < 3; k = k + 1) begin : g_component
+            wire signed [NW-1:0] n = vertex[k*NW +: NW];
+            wire signed [PW-1:0] p = vertex[3*NW + k*PW +: PW];
+            reg  signed [TW-1:0] product;
+            reg  signed [PW-1:0] position;
+            reg  signed [PW-1:0] sum;
+            wire signed [PW-1:0] limited;
+
+            rp_cast #(.W(TW), .SHIFT(ALIGN), .OW(PW)) cast (
+                .x((TW'(position) <<< ALIGN) + product), .y(limited)
+            );
+
+            always_ff @(posedge clk) begin
+                if (load[5]) begin
+                    product  <= TW'(d) * TW'(n);
+                    position <= p;
+                end
+                if (load[6]) sum <= limited;
+            end
+
+            assign displaced[k*PW +: PW] = sum;
+        end
+    endgenerate
+
+    assign {displaced_z, displaced_y, displaced_x} = displaced;
+endmodule
+
+`default_nettype wire

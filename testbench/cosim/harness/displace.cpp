@@ -1,0 +1,60 @@
+// The engine of rtl/units/displace.sv.
+#include "testbench/cosim/harness/harness.h"
+
+namespace repousse::harness {
+namespace {
+
+struct DisplaceUnit {
+    static constexpr const char* kName = "displace";
+    static constexpr int kConfigs = 7;
+    static constexpr int kInputs = 8;
+    static constexpr int kOutputs = 3;
+    static constexpr int kReadEntries = 1;
+
+    static void configure(Vunit& top, const int64_t* config) {
+        top.map_width = bits<15>(config[0]);
+        top.map_height = bits<15>(config[1]);
+        top.wrap = bits<1>(config[2]);
+        top.bilinear = bits<1>(config[3]);
+        top.scale_mantissa = bits<25>(config[4]);
+        top.scale_exponent = bits<6>(config[5]);
+        top.bias = bits<DISPLACEMENT_WIDTH>(config[6]);
+    }
+
+    static void drive(Vunit& top, const int64_t* in) {
+        top.p_x = bits<POSITION_WIDTH>(in[0]);
+        top.p_y = bits<POSITION_WIDTH>(in[1]);
+        top.p_z = bits<POSITION_WIDTH>(in[2]);
+        top.n_x = bits<NORMAL_WIDTH>(in[3]);
+        top.n_y = bits<NORMAL_WIDTH>(in[4]);
+        top.n_z = bits<NORMAL_WIDTH>(in[5]);
+        top.u_x = bits<UV_WIDTH>(in[6]);
+        top.u_y = bits<UV_WIDTH>(in[7]);
+    }
+
+    static void sample(const Vunit& top, int64_t* out) {
+        sample_vector<POSITION_WIDTH, true>(top.displaced_x, out, 1);
+        sample_vector<POSITION_WIDTH, true>(top.displaced_y, out + 1, 1);
+        sample_vector<POSITION_WIDTH, true>(top.displaced_z, out + 2, 1);
+    }
+
+    static void drive_memory(Vunit& top, bool ready, bool rvalid, const uint64_t* rdata) {
+        top.texel_ready = ready;
+        top.texel_rvalid = rvalid;
+        if (rvalid) top.texel_rdata = bits<HEIGHT_WIDTH>(static_cast<int64_t>(rdata[0]));
+    }
+
+    static bool requests(const Vunit& top) { return top.texel_valid; }
+    static bool takes_answer(const Vunit& top) { return top.texel_rready; }
+    static bool wants(const Vunit&, int) { return true; }
+    static Address address(const Vunit& top, int) {
+        return {static_cast<uint32_t>(top.texel_x), static_cast<uint32_t>(top.texel_y)};
+    }
+};
+
+}  // namespace
+}  // namespace repousse::harness
+
+const RepousseEngine* repousse_engine() {
+    return repousse::harness::engine<repousse::harness::DisplaceUnit>();
+}
