@@ -5,14 +5,6 @@
 #include "datapath/pipelines/closed_form.h"
 
 namespace repousse {
-namespace {
-
-// Vertices of one base triangle that may pile up before those that nobody refers to are dropped.
-// Together they fit the second-level cache; the FIFOs refer to 512 at most.
-constexpr std::size_t kMostVertices = 4096;
-
-}  // namespace
-
 TriangleSetupOptions setup_options(const Profile& profile, bool use_bump) {
     TriangleSetupOptions options;
     options.adder = static_cast<AdderKind>(profile.adder_kind);
@@ -128,14 +120,12 @@ bool SweepPipeline<P>::set_up(const SweepBase<P>& triangle) {
 template <class P>
 void SweepPipeline<P>::remesh(uint32_t base, const SweepBase<P>& triangle, const Emit& emit) {
     if (!set_up(triangle)) return;
-    fine_.clear();
     sweep_line_.load(triangle_);
     while (sweep_line_.busy()) {
         std::size_t count = 0;
         while (count < kBatchSteps && sweep_line_.step(steps_[count])) ++count;
         const Span<const SweepStep> batch(steps_.data(), count);
-        if (fine_.size() > kMostVertices) renumber();
-        first_new_ = fine_.size();
+        first_new_ = fine_.start_batch(strip_);
         finish_vertices(triangle, batch);
         build_strips(batch);
         enter(base, emit);
@@ -169,7 +159,7 @@ void SweepPipeline<P>::finish_vertices(const SweepBase<P>& triangle, Span<const 
 template <class P>
 void SweepPipeline<P>::build_strips(Span<const SweepStep> steps) {
     made_.clear();
-    auto next = static_cast<uint32_t>(first_new_);
+    uint32_t next = first_new_;
     std::array<uint32_t, 4> numbers{};
     StripTriangles<uint32_t> triangles;
     for (const SweepStep& step : steps) {
@@ -177,25 +167,6 @@ void SweepPipeline<P>::build_strips(Span<const SweepStep> steps) {
         strip_(step.strip, {numbers.data(), step.vertex_count}, triangles);
         for (std::size_t i = 0; i < triangles.count; ++i) made_.push_back(triangles.triangles[i]);
     }
-}
-
-// Drops the vertices that the strip does not hold any more.
-template <class P>
-void SweepPipeline<P>::renumber() {
-    constexpr auto kNone = static_cast<uint32_t>(-1);
-    numbers_.assign(fine_.size(), kNone);
-    kept_.clear();
-    strip_.for_each([&](uint32_t& number) {
-        // Registers may still have a vertex of the last base triangle, which is not referred to.
-        if (number >= numbers_.size()) return;
-        uint32_t& renumbered = numbers_[number];
-        if (renumbered == kNone) {
-            renumbered = static_cast<uint32_t>(kept_.size());
-            kept_.push_back(fine_[number]);
-        }
-        number = renumbered;
-    });
-    fine_.swap(kept_);
 }
 
 // Into the triangle buffer, which is emptied when it is full; made in the places where they wait.

@@ -9,6 +9,7 @@
 
 #include "datapath/pipelines/sweep_counters.h"
 #include "datapath/pipelines/sweep_draw.h"
+#include "datapath/pipelines/vertex_pool.h"
 #include "datapath/profile.h"
 #include "datapath/units/bump.h"
 #include "datapath/units/controller.h"
@@ -79,7 +80,6 @@ private:
     void build_strips(Span<const SweepStep> steps);
     void enter(uint32_t base, const Emit& emit);
     void drain(const Emit& emit);
-    void renumber();
 
     const SweepDraw<P>& draw_;
     Controller<P> controller_;
@@ -98,11 +98,9 @@ private:
     SweepTriangle triangle_;
     std::vector<SweepStep> steps_;
     // Vertices of the current base triangle: those that the strip holds, then the batch's.
-    std::vector<SweepOutputVertex<P>> fine_;
-    std::size_t first_new_ = 0;                  // of the batch
+    VertexPool<SweepOutputVertex<P>> fine_;
+    uint32_t first_new_ = 0;                     // of the batch
     std::vector<std::array<uint32_t, 3>> made_;  // by the batch, of vertices in fine_
-    std::vector<SweepOutputVertex<P>> kept_;
-    std::vector<uint32_t> numbers_;
 };
 
 }  // namespace repousse
