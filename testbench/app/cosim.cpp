@@ -68,10 +68,14 @@ void print_head() {
 std::string markdown(const CosimOptions& options, const std::vector<cosim::Outcome>& outcomes) {
     std::string text = fmt::format(
         "# Co-simulation, last measured\n\n"
-        "Written by `make cosim`. Profile {}, seed {}, {} % of the batches stalled, {} jobs.\n\n"
+        "Written by `make cosim`, or by `repousse cosim -o` with other numbers. Profile {}, seed "
+        "{},\n"
+        "{} % of the batches stalled, {} jobs; up to {} random transactions a unit in Verilator\n"
+        "and {} in Icarus.\n\n"
         "| unit | engine | transactions | compared | mismatches | vectors/s |\n"
         "|---|---|---|--:|--:|--:|\n",
-        options.profile, options.effort.seed, options.effort.stalled_percent, options.effort.jobs);
+        options.profile, options.effort.seed, options.effort.stalled_percent, options.effort.jobs,
+        thousands(options.effort.vectors), thousands(options.icarus_vectors));
     for (const cosim::Outcome& o : outcomes) {
         text += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", o.unit, o.engine, o.transactions,
                             thousands(o.cases), thousands(o.mismatches),
