@@ -36,6 +36,18 @@ struct Profile {
     Format unnormalised;      ///< vectors on their way into a normalisation
     Format diagonal;          ///< differences of P' in split's squared length
 
+    // Bump mapping.
+    int bump_kind = 0;        ///< BumpKind
+    Format slope;             ///< derivatives of D along T and B, where heights are differenced
+    Format angle;             ///< stored rotation angles, in half turns
+    int sine_index_bits = 0;  ///< log2 of the sine table's entries
+
+    // Texel caches, all alike.
+    int cache_line_bits = 0;    ///< log2 of the texels in a line
+    int cache_set_bits = 0;     ///< log2 of the sets
+    int cache_ways = 0;         ///< lines in a set
+    int cache_replacement = 0;  ///< CacheReplacement
+
     // View.
     Format view_row;  ///< components of the camera's right, up and forward
     Format clip;      ///< P' in eye space

@@ -19,6 +19,8 @@ struct DeviceConfig {
     bool sweep = false;      ///< sweep-line remeshing; with it vertex_transform, and all of direct
     bool view_clip = false;  ///< sweep: clipping of base triangles
     bool bump = false;       ///< with it the normal map
+    bool levels = false;     ///< sweep: filter levels of the displacement map, and footprints
+    bool shade = false;      ///< illumination of displaced vertices
     int contexts = 1;        ///< 1 to 32: triangles in flight; they set the time, not the values
     double clock_period_ns = 2.0;
 
@@ -32,13 +34,15 @@ struct DeviceConfig {
         sweep |= other.sweep;
         view_clip |= other.view_clip;
         bump |= other.bump | other.normal_test;
+        levels |= other.levels;
+        shade |= other.shade;
         contexts = contexts > other.contexts ? contexts : other.contexts;
     }
 
     /// Every unit, called for or not.
     void include_everything() {
         adaptive = view_test = normal_test = height_test = true;
-        direct = sweep = view_clip = bump = true;
+        direct = sweep = view_clip = bump = levels = shade = true;
     }
 
     bool has_controller() const { return sweep || direct; }
