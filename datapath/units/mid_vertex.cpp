@@ -41,6 +41,36 @@ void MidVertex<P>::attributes(const Vertex<P>& v1, const Vertex<P>& v2, Vertex<P
 }
 
 template <class P>
+MidVertexEnd MidVertex<P>::operator()(const MidVertexIn& in) {
+    const auto vector = [](const Vec3<int32_t>& v) {
+        return Vec3<V>{static_cast<V>(v.x), static_cast<V>(v.y), static_cast<V>(v.z)};
+    };
+    const auto words = [](const Vec3<V>& v) {
+        return Vec3<int32_t>{static_cast<int32_t>(v.x), static_cast<int32_t>(v.y),
+                             static_cast<int32_t>(v.z)};
+    };
+    std::array<Vertex<P>, 2> ends;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+        const MidVertexEnd& end = in.ends[i];
+        ends[i].uv = end.u;
+        ends[i].generation = end.generation;
+        ends[i].position = vector(end.p);
+        ends[i].normal = vector(end.n);
+        ends[i].tangent = vector(end.t);
+        ends[i].handedness = end.left ? -1 : 1;
+    }
+    Vertex<P> mid;
+    topology(ends[0], ends[1], mid);
+    attributes(ends[0], ends[1], mid);
+    return {mid.uv,
+            mid.generation,
+            words(mid.position),
+            words(mid.normal),
+            words(mid.tangent),
+            mid.handedness < 0};
+}
+
+template <class P>
 void MidVertex<P>::run_topology(Span<Edge<P>> edges) {
     for (Edge<P>& edge : edges) topology(*edge.v1, *edge.v2, edge.mid);
 }

@@ -1,14 +1,63 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "datapath/items.h"
 #include "datapath/numbers/policy.h"
 #include "datapath/profile.h"
 #include "datapath/span.h"
+#include "datapath/transaction.h"
+#include "datapath/units/mid_vertex_desc.h"
 #include "datapath/units/normalise.h"
 
 namespace repousse {
+
+/// One end of an edge as it enters the unit, and the midpoint as it leaves.
+struct MidVertexEnd {
+    Uv u;
+    uint8_t generation = 0;  ///< of an end 0 to 14
+    Vec3<int32_t> p, n, t;
+    bool left = false;  ///< the bitangent is -(N x T)
+
+    std::array<Word, 13> pack() const {
+        return {u.x, u.y, generation, p.x, p.y, p.z, n.x, n.y, n.z, t.x, t.y, t.z, left};
+    }
+    static MidVertexEnd unpack(const Word* w) {
+        const auto vector = [](const Word* v) {
+            return Vec3<int32_t>{static_cast<int32_t>(v[0]), static_cast<int32_t>(v[1]),
+                                 static_cast<int32_t>(v[2])};
+        };
+        return {uv_from_words(w), static_cast<uint8_t>(w[2]),
+                vector(w + 3),    vector(w + 6),
+                vector(w + 9),    w[12] != 0};
+    }
+};
+
+/// An edge as it enters the unit: the input ports of the description.
+struct MidVertexIn {
+    std::array<MidVertexEnd, 2> ends;
+
+    std::array<Word, 26> pack() const {
+        std::array<Word, 26> words{};
+        std::size_t at = 0;
+        for (const MidVertexEnd& end : ends) {
+            for (const Word word : end.pack()) words[at++] = word;
+        }
+        return words;
+    }
+    static MidVertexIn unpack(const Word* w) {
+        return {{MidVertexEnd::unpack(w), MidVertexEnd::unpack(w + 13)}};
+    }
+};
+static_assert(ports_are(kMidVertexDesc, PortKind::Input,
+                        {"u1_x", "u1_y",        "generation1", "p1_x", "p1_y", "p1_z",  "n1_x",
+                         "n1_y", "n1_z",        "t1_x",        "t1_y", "t1_z", "left1", "u2_x",
+                         "u2_y", "generation2", "p2_x",        "p2_y", "p2_z", "n2_x",  "n2_y",
+                         "n2_z", "t2_x",        "t2_y",        "t2_z", "left2"}));
+static_assert(ports_are(kMidVertexDesc, PortKind::Output,
+                        {"u12_x", "u12_y", "generation12", "p12_x", "p12_y", "p12_z", "n12_x",
+                         "n12_y", "n12_z", "t12_x", "t12_y", "t12_z", "left12"}));
 
 /// What `mid_vertex` counted.
 struct MidVertexCounters {
@@ -40,6 +89,9 @@ public:
 
     /// Steps 2 and 3. Opposite vectors give the zero vector, symmetric in both ends.
     void attributes(const Vertex<P>& v1, const Vertex<P>& v2, Vertex<P>& mid);
+
+    /// One transaction of the unit: all three steps.
+    MidVertexEnd operator()(const MidVertexIn& in);
 
     /// Step 1 for every edge.
     void run_topology(Span<Edge<P>> edges);

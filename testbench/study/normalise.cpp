@@ -4,56 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/vec3.hpp>
-#include <random>
 
-#include "datapath/units/bump.h"
 #include "datapath/units/mid_vertex.h"
 #include "datapath/units/normalise.h"
+#include "testbench/study/angles.h"
+#include "testbench/study/bump_error.h"
 #include "testbench/study/paragraph.h"
 #include "tlm/config/profile_reader.h"
 
 namespace repousse::study {
 namespace {
-
-constexpr double kDegrees = 57.29577951308232;
-
-class Dice {
-public:
-    explicit Dice(uint64_t seed) : random_(seed) {}
-    double real(double low, double high) {
-        return low + (high - low) * (static_cast<double>(random_() >> 11) * 0x1p-53);
-    }
-    glm::dvec3 direction() {
-        const double z = real(-1.0, 1.0), angle = real(0.0, 6.283185307179586);
-        const double rho = std::sqrt(1.0 - z * z);
-        return {rho * std::cos(angle), rho * std::sin(angle), z};
-    }
-
-private:
-    std::mt19937_64 random_;
-};
-
-int32_t to_raw(double value, const Format& format) {
-    const double scaled = std::floor(std::ldexp(value, format.frac) + 0.5);
-    return static_cast<int32_t>(std::clamp(scaled, static_cast<double>(format.min_raw()),
-                                           static_cast<double>(format.max_raw())));
-}
-
-Vec3<int32_t> to_raw(const glm::dvec3& v, const Format& format) {
-    return {to_raw(v.x, format), to_raw(v.y, format), to_raw(v.z, format)};
-}
-
-glm::dvec3 to_real(const Vec3<int32_t>& v, const Format& format) {
-    return {std::ldexp(v.x, -format.frac), std::ldexp(v.y, -format.frac),
-            std::ldexp(v.z, -format.frac)};
-}
-
-/// By the cross product: an arc cosine loses small angles.
-double angle_deg(const glm::dvec3& a, const glm::dvec3& b) {
-    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * kDegrees;
-}
 
 /// Largest and root mean square of what `next` gives.
 template <class Next>
@@ -98,41 +58,6 @@ NormaliseError of_midpoint(const char* name, const Profile& p, uint64_t seed) {
     });
 }
 
-// N' of a frame at right angles and a map normal up to 60 degrees off N; the reference turns the
-// same rounded three vectors.
-NormaliseError of_bump(const char* name, const Profile& p, uint64_t seed) {
-    Bump<Fixed> unit(p);
-    Dice dice(seed);
-    return gather(name, p.normalise_kind, "`bump`, N' in a frame at right angles", [&] {
-        const glm::dvec3 n = dice.direction();
-        glm::dvec3 across;
-        do {
-            across = glm::cross(n, dice.direction());
-        } while (glm::length(across) < 0.1);
-        glm::dvec3 d;
-        do {
-            d = dice.direction();
-        } while (d.z < 0.5);
-        const Vec3<int32_t> raw = to_raw(d, p.map_normal);
-        const Vec3<int16_t> texel{static_cast<int16_t>(raw.x), static_cast<int16_t>(raw.y),
-                                  static_cast<int16_t>(raw.z)};
-        MapView<Fixed> map;
-        map.width = map.height = 1;
-        map.normals = {&texel, 1};
-        unit.configure(map);
-        Vertex<Fixed> vertex;
-        vertex.normal = to_raw(n, p.normal);
-        vertex.tangent = to_raw(glm::normalize(across), p.normal);
-        vertex.handedness = 1;
-        unit(vertex);
-        const glm::dvec3 nn = to_real(vertex.normal, p.normal);
-        const glm::dvec3 tt = to_real(vertex.tangent, p.normal);
-        const glm::dvec3 dd = to_real(raw, p.map_normal);
-        return angle_deg(to_real(vertex.displaced_normal, p.displaced_normal),
-                         tt * dd.x + glm::cross(nn, tt) * dd.y + nn * dd.z);
-    });
-}
-
 ShortVectors of_length(const char* name, Profile p, double lsb, uint64_t seed) {
     ShortVectors row;
     row.profile = name;
@@ -167,7 +92,13 @@ NormaliseReport normalise_study(uint64_t seed) {
             p.normalise_kind = kind;
             report.errors.push_back(of_unit(name, p, seed));
             report.errors.push_back(of_midpoint(name, p, seed + 1));
-            report.errors.push_back(of_bump(name, p, seed + 2));
+        }
+        for (const int normalise : {0, 1}) {
+            for (const int kind : {0, 1, 2}) {
+                p.normalise_kind = normalise;
+                p.bump_kind = kind;
+                report.bumps.push_back(bump_error(name, p, NormaliseReport::kVectors, seed + 2));
+            }
         }
         for (const double lsb : {2.0, 4.0, 16.0, 64.0, 512.0, 4096.0}) {
             report.lengths.push_back(of_length(name, p, lsb, seed + 3));
@@ -196,6 +127,7 @@ std::string normalise_markdown(const NormaliseReport& report) {
         text += fmt::format("| {} | {} {} | {} | {:.4f} | {:.4f} |\n", e.profile, e.kind,
                             kinds[e.kind], e.what, e.max_deg, e.rms_deg);
     }
+    text += bump_markdown(report.bumps);
     text +=
         "\n## Short vectors\n\n" +
         paragraph(

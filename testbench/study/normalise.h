@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "testbench/study/bump_error.h"
+
 namespace repousse::study {
 
 /// The angle between a normal of the device and the same one in double, over many random vectors.
@@ -33,6 +35,7 @@ struct NormaliseReport {
     static constexpr int kVectors = 200'000;  ///< in each row
     uint64_t seed = 1;
     std::vector<NormaliseError> errors;
+    std::vector<BumpError> bumps;  ///< all three kinds
     std::vector<ShortVectors> lengths;
     std::vector<NormaliseCycles> cycles;
 };

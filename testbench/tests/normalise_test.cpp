@@ -196,6 +196,13 @@ TEST(NormaliseStudy, AngularErrorAndTheDocumentThatSaysSo) {
             EXPECT_LE(e.max_deg, 0.1) << e.what;
         }
     }
+    ASSERT_EQ(report.bumps.size(), 12U);
+    for (const study::BumpError& e : report.bumps) {
+        if (e.profile == "default") {
+            EXPECT_LE(e.max_deg, 0.1) << e.bump_kind;
+            EXPECT_LE(e.map_max_deg, 0.1) << e.bump_kind;
+        }
+    }
     const auto text = host::read_file("docs/normalise.md");
     ASSERT_TRUE(text) << text.error().message();
     EXPECT_EQ(*text, study::normalise_markdown(report))

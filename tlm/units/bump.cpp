@@ -7,8 +7,15 @@ Bump::Bump(const sc_core::sc_module_name& name, const Profile& profile)
       before_test("before_test", [this](EdgeBatch& b, BatchTime& t) { make_normals(b, t, true); }),
       after_split("after_split", [this](EdgeBatch& b, BatchTime& t) { make_normals(b, t, false); }),
       base("base", [this](Triangle<Fixed>& b, BatchTime& t) { make_all(b.corners, t); }),
-      fine("fine", [this](FineBatch& b, BatchTime& t) { make_all(b.vertices, t); }),
-      unit_(profile) {}
+      fine("fine",
+           [this](FineBatch& b, BatchTime& t) {
+               unit_.run(b.vertices);
+               add_time(t, b.vertices.size);
+           }),
+      unit_(profile),
+      interval_(bump_interval(profile.bump_kind)),
+      latency_(
+          bump_latency(profile.bump_kind, profile.normalise_kind, profile.displaced_normal.frac)) {}
 
 void Bump::disable() {
     before_test.enable(false);
@@ -29,13 +36,17 @@ void Bump::configure(const MapView<Fixed>& map, bool normal_test, bool eager) {
 void Bump::make_normals(EdgeBatch& batch, BatchTime& time, bool for_test) {
     const uint64_t before = unit_.counters().items;
     unit_.run(batch.edges, for_test, eager_);
-    time.stage(kBumpDesc, unit_.counters().items - before);
+    add_time(time, unit_.counters().items - before);
+}
+
+void Bump::add_time(BatchTime& time, uint64_t made) const {
+    time.stage(kBumpDesc, made, made * static_cast<uint64_t>(interval_), latency_);
 }
 
 template <class Vertices>
 void Bump::make_all(Vertices& vertices, BatchTime& time) {
     for (auto& v : vertices) unit_(v);
-    time.stage(kBumpDesc, vertices.size());
+    add_time(time, vertices.size());
 }
 
 }  // namespace repousse::shell

@@ -22,6 +22,7 @@ public:
     /// The map's tables must outlive the frame. `normal_test`: the frame uses the normal test.
     void configure(const MapView<Fixed>& map, bool normal_test, bool eager);
     void reset() { unit_.reset(); }
+    BumpKind bump_kind() const { return unit_.kind(); }
     const BumpCounters& counters() const { return unit_.counters(); }
 
     EdgeCall before_test;
@@ -34,7 +35,11 @@ private:
     template <class Vertices>
     void make_all(Vertices& vertices, BatchTime& time);
 
+    void add_time(BatchTime& time, uint64_t made) const;
+
     repousse::Bump<Fixed> unit_;
+    int interval_;  // of the profile's kind, as the next one
+    int latency_;
     bool eager_ = false;
 };
 

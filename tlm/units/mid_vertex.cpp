@@ -10,7 +10,8 @@ MidVertex::MidVertex(const sc_core::sc_module_name& name, const Profile& profile
                   [this](EdgeBatch& b, BatchTime& t) { make_attributes(b, t, true); }),
       after_split("after_split",
                   [this](EdgeBatch& b, BatchTime& t) { make_attributes(b, t, false); }),
-      unit_(profile) {}
+      unit_(profile),
+      latency_(mid_vertex_latency(profile.normalise_kind, profile.normal.frac)) {}
 
 void MidVertex::configure(bool normal_test, bool eager) {
     before_test.enable(normal_test);
@@ -21,7 +22,8 @@ void MidVertex::configure(bool normal_test, bool eager) {
 void MidVertex::make_attributes(EdgeBatch& batch, BatchTime& time, bool for_test) {
     const uint64_t before = unit_.counters().attributes;
     unit_.run_attributes(batch.edges, for_test, eager_);
-    time.stage(kMidVertexDesc, unit_.counters().attributes - before);
+    const uint64_t made = unit_.counters().attributes - before;
+    time.stage(kMidVertexDesc, made, made, latency_);
 }
 
 }  // namespace repousse::shell

@@ -28,6 +28,7 @@ private:
     void make_attributes(EdgeBatch& batch, BatchTime& time, bool for_test);
 
     repousse::MidVertex<Fixed> unit_;
+    int latency_;  // of the profile's normalisation
     bool eager_ = false;
 };
 

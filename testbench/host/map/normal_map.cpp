@@ -41,4 +41,9 @@ std::vector<glm::dvec3> normal_map(const HeightMap& map, double texel_width, dou
     return normals;
 }
 
+glm::dvec2 turns_of(const glm::dvec3& n) {
+    constexpr double kPi = 3.14159265358979323846;
+    return {std::atan2(n.x, std::hypot(n.y, n.z)) / kPi, std::atan2(n.y, n.z) / kPi};
+}
+
 }  // namespace repousse::host
