@@ -170,6 +170,25 @@ bool HeightTest::differ_in_sum(uint64_t mid, uint64_t ends) const {
     return magnitude > 2 * registers_.threshold;
 }
 
+// In the order of the hardware: a beat for each row (high, low, last) and column (likewise), in it
+// the boxes around U1, U2, U12 that have such an entry.
+void HeightTest::announce(const Boxes& at) const {
+    const auto entry = [](int number, const Side& side, int32_t last) {
+        return number == 0 ? side.hi : number == 1 ? side.lo : last;
+    };
+    const auto wanted = [](int number, const Side& side) { return number < 2 || side.seam; };
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column) {
+            for (const Box* box : {&at.end1, &at.end2, &at.mid}) {
+                if (!wanted(row, box->y) || !wanted(column, box->x)) continue;
+                const auto y = static_cast<uint32_t>(entry(row, box->y, registers_.height));
+                const auto x = static_cast<uint32_t>(entry(column, box->x, registers_.width));
+                port_->read(y * static_cast<uint32_t>(registers_.width + 1) + x);
+            }
+        }
+    }
+}
+
 bool HeightTest::operator()(Uv u1, Uv u2, Uv u12, HeightTestStats& stats) const {
     if (!accepts(u1, u2, u12)) {
         ++stats.refused;
@@ -178,6 +197,7 @@ bool HeightTest::operator()(Uv u1, Uv u2, Uv u12, HeightTestStats& stats) const 
     const Boxes at = boxes(u1, u2, u12);
     stats.reads += static_cast<uint64_t>(at.entries());
     stats.beats += static_cast<uint64_t>(at.beats());
+    if (port_ != nullptr) announce(at);
 
     const uint64_t ends = (sum(at.end1) + sum(at.end2)) & sat_mask_;
     return registers_.mode == HeightMode::Average

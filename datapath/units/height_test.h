@@ -7,6 +7,7 @@
 #include "datapath/items.h"
 #include "datapath/profile.h"
 #include "datapath/span.h"
+#include "datapath/texel_port.h"
 #include "datapath/transaction.h"
 #include "datapath/units/height_test_desc.h"
 
@@ -139,6 +140,9 @@ public:
         }
     }
 
+    /// Who is told of every read, in order; null: nobody. It must outlive its use.
+    void attach(TexelPort* port) { port_ = port; }
+
     const TestCounters& counters() const { return counters_; }
     const HeightTestStats& stats() const { return stats_; }
     void reset() { counters_ = {}, stats_ = {}; }
@@ -175,6 +179,7 @@ private:
     Side side(int32_t centre, int32_t half, int32_t size) const;
     Box box(Uv centre, int32_t half_x, int32_t half_y) const;
     Boxes boxes(Uv u1, Uv u2, Uv u12) const;
+    void announce(const Boxes& at) const;
     uint64_t row(int32_t y, const Side& x) const;
     uint64_t sum(const Box& box) const;
     bool differ_in_average(uint64_t mid, uint64_t mid_area, uint64_t ends,
@@ -187,6 +192,7 @@ private:
     uint64_t sat_mask_;
     HeightTestRegisters registers_;
     Span<const uint64_t> table_;
+    TexelPort* port_ = nullptr;
     int max_edge_ = 0;
     int32_t max_extent_ = 0;  // max_edge_ in the format of U
     Uv low_, high_;           // where U may lie
