@@ -53,7 +53,9 @@ module normal_test #(
 
     output wire                                     out_valid,
     input  wire                                     out_ready,
-    output wire                                     nt          // some component differs
+    output wire                                     nt,         // some component differs
+    output wire        [1:0]                        load        // enables of stages 1 and 2, the
+                                                                // user's too
 );
     localparam integer DW = DISPLACED_NORMAL_WIDTH;
     localparam integer MW = MAP_NORMAL_WIDTH;
@@ -74,8 +76,7 @@ module normal_test #(
     wire [STW-1:0] shared_threshold = map_space ? map_threshold : own_threshold;
     wire [BTW-1:0] base_threshold   = BTW'(threshold) << BASE_RISE;
 
-    wire [1:0] load;                       // register enables of stages 1 and 2
-    wire       skipped;                    // the item at the output was skipped
+    wire skipped;                          // the item at the output was skipped
 
     rp_pipe #(.W(1), .L(2)) stages (
         .clk      (clk),

@@ -25,7 +25,8 @@ module texcoord_test #(
 
     output wire                       out_valid,
     input  wire                       out_ready,
-    output wire                       ct          // U12 lies in a texel of its own
+    output wire                       ct,         // U12 lies in a texel of its own
+    output wire                       load        // enable of the user's own register
 );
 
     // Equal texels: everything above the fraction agrees, in both components.
@@ -33,8 +34,6 @@ module texcoord_test #(
                    & (u12_y >>> UV_FRAC) == (u1_y >>> UV_FRAC);
     wire same_as_2 = (u12_x >>> UV_FRAC) == (u2_x >>> UV_FRAC)
                    & (u12_y >>> UV_FRAC) == (u2_y >>> UV_FRAC);
-
-    wire unused_load;
 
     rp_pipe #(.W(1), .L(1)) stages (
         .clk      (clk),
@@ -45,7 +44,7 @@ module texcoord_test #(
         .out_valid(out_valid),
         .out_ready(out_ready),
         .out_data (ct),
-        .load     (unused_load)
+        .load     (load)
     );
 
 endmodule

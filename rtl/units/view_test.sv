@@ -28,7 +28,8 @@ module view_test #(
 
     output wire                           out_valid,
     input  wire                           out_ready,
-    output wire                           vt          // the edge is longer than the threshold
+    output wire                           vt,         // the edge is longer than the threshold
+    output wire        [1:0]              load        // enables of stages 1 and 2, the user's too
 );
     // |a - b| of two signed W-bit numbers lies within 0 .. 2^W - 1: W bits, unsigned. The operands
     // of the chosen subtraction are in order, so taking its low W bits loses nothing.
@@ -39,8 +40,7 @@ module view_test #(
         absolute_difference = (a < b) ? b - a : a - b;
     endfunction
 
-    wire [1:0] load;                       // register enables of stages 1 and 2
-    wire       skipped;                    // the item at the output was skipped
+    wire skipped;                          // the item at the output was skipped
 
     rp_pipe #(.W(1), .L(2)) stages (
         .clk      (clk),

@@ -16,6 +16,7 @@ module normal_test_replay #(
     wire [31:0]         unused_eagerness;
     wire [DW-1:0]       threshold;
     wire                map_space, skip;
+    wire [1:0]          unused_load;
     wire [DW-1:0]
         displaced_normal1_x, displaced_normal1_y, displaced_normal1_z, displaced_normal2_x,
         displaced_normal2_y, displaced_normal2_z, displaced_normal12_x, displaced_normal12_y,
@@ -64,7 +65,7 @@ module normal_test_replay #(
         .map_normal12_x(map_normal12_x), .map_normal12_y(map_normal12_y),
         .map_normal12_z(map_normal12_z), .normal12_x(normal12_x), .normal12_y(normal12_y),
         .normal12_z(normal12_z),
-        .out_valid(out_valid), .out_ready(out_ready), .nt(nt)
+        .out_valid(out_valid), .out_ready(out_ready), .nt(nt), .load(unused_load)
     );
 endmodule
 

@@ -11,7 +11,7 @@ module texcoord_test_replay #(
     wire [IW+OW-1:0]   line;
     wire [31:0]        unused_eagerness;
     wire [UV_WIDTH-1:0] u1_x, u1_y, u2_x, u2_y, u12_x, u12_y;
-    wire               skip;
+    wire               skip, unused_load;
 
     replay_stream #(.COUNT(COUNT), .RW(0), .IW(IW), .OW(OW)) stream (
         .clk(clk), .rst_n(rst_n), .line(line),
@@ -26,7 +26,7 @@ module texcoord_test_replay #(
         .clk(clk), .rst_n(rst_n), .in_valid(in_valid), .in_ready(in_ready),
         .skip(skip), .u1_x(u1_x), .u1_y(u1_y), .u2_x(u2_x), .u2_y(u2_y),
         .u12_x(u12_x), .u12_y(u12_y),
-        .out_valid(out_valid), .out_ready(out_ready), .ct(ct)
+        .out_valid(out_valid), .out_ready(out_ready), .ct(ct), .load(unused_load)
     );
 endmodule
 

@@ -14,6 +14,7 @@ module view_test_replay #(
     wire [SCREEN_WIDTH:0]   threshold;
     wire [SCREEN_WIDTH-1:0] x1, y1, x2, y2;
     wire                    skip, near1, near2;
+    wire [1:0]              unused_load;
 
     replay_stream #(.COUNT(COUNT), .RW(RW), .IW(IW), .OW(OW)) stream (
         .clk(clk), .rst_n(rst_n), .line(line),
@@ -29,7 +30,7 @@ module view_test_replay #(
         .clk(clk), .rst_n(rst_n), .threshold(threshold),
         .in_valid(in_valid), .in_ready(in_ready),
         .skip(skip), .near1(near1), .x1(x1), .y1(y1), .near2(near2), .x2(x2), .y2(y2),
-        .out_valid(out_valid), .out_ready(out_ready), .vt(vt)
+        .out_valid(out_valid), .out_ready(out_ready), .vt(vt), .load(unused_load)
     );
 endmodule
 
