@@ -1,13 +1,16 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
+#include "datapath/fine_vertices.h"
 #include "datapath/items.h"
 #include "datapath/map_view.h"
 #include "datapath/numbers/policy.h"
 #include "datapath/profile.h"
 #include "datapath/span.h"
+#include "datapath/texel_port.h"
 #include "datapath/transaction.h"
 #include "datapath/units/displace_desc.h"
 
@@ -17,26 +20,35 @@ namespace repousse {
 struct DisplaceIn {
     Vec3<int32_t> p, n;
     Uv u;
+    LevelRead read;
 
-    std::array<Word, 8> pack() const { return {p.x, p.y, p.z, n.x, n.y, n.z, u.x, u.y}; }
+    std::array<Word, 12> pack() const {
+        return {p.x, p.y, p.z,          n.x,          n.y,        n.z,
+                u.x, u.y, read.reach_x, read.reach_y, read.level, read.back};
+    }
     static DisplaceIn unpack(const Word* w) {
         const auto vector = [](const Word* v) {
             return Vec3<int32_t>{static_cast<int32_t>(v[0]), static_cast<int32_t>(v[1]),
                                  static_cast<int32_t>(v[2])};
         };
-        return {vector(w), vector(w + 3), uv_from_words(w + 6)};
+        return {vector(w),
+                vector(w + 3),
+                uv_from_words(w + 6),
+                {static_cast<int32_t>(w[8]), static_cast<int32_t>(w[9]),
+                 static_cast<uint8_t>(w[10]), w[11] != 0}};
     }
 };
 static_assert(ports_are(kDisplaceDesc, PortKind::Input,
-                        {"p_x", "p_y", "p_z", "n_x", "n_y", "n_z", "u_x", "u_y"}));
+                        {"p_x", "p_y", "p_z", "n_x", "n_y", "n_z", "u_x", "u_y", "reach_x",
+                         "reach_y", "level", "back"}));
 
 /// The words of the map registers.
-inline std::array<Word, 7> pack_displace_registers(const MapView<Fixed>& map) {
-    return {map.width,          map.height,         map.wrap, map.filter == HeightFilter::Bilinear,
-            map.scale_mantissa, map.scale_exponent, map.bias};
+inline std::array<Word, 8> pack_displace_registers(const MapView<Fixed>& map) {
+    return {map.width,      map.height,         map.wrap,           static_cast<Word>(map.filter),
+            map.has_minima, map.scale_mantissa, map.scale_exponent, map.bias};
 }
 static_assert(ports_are(kDisplaceDesc, PortKind::Config,
-                        {"map_width", "map_height", "wrap", "bilinear", "scale_mantissa",
+                        {"map_width", "map_height", "wrap", "filter", "minima", "scale_mantissa",
                          "scale_exponent", "bias"}));
 
 /// The vertex that leaves it.
@@ -57,8 +69,10 @@ struct DisplaceCounters {
 
 /// Displace Vertex (Doggett and Hirche, equation 1 and section 3): P' = P + D(U) N.
 ///
-///  1. read one texel, or four around U for a bilinear height;
-///  2. interpolate them with the fraction of U (exact: 16 + 2 F bits) and cast once;
+///  1. read one texel, or four around U for a bilinear height; or, of a filter level, those under
+///     the corners of a footprint, each once (Gumhold and Huettner 4.1);
+///  2. interpolate them with the fraction of U (exact: 16 + 2 F bits) and cast once; or take the
+///     highest, the lowest where the surface is seen from the back, or the average;
 ///  3. scale to world units and add the bias;
 ///  4. one multiply-add a component.
 ///
@@ -75,30 +89,52 @@ public:
 
     /// P' for a vertex with base position p, unit normal n (zero: not displaced) and texel
     /// coordinates u within one period of the map.
-    Vec3<V> operator()(const Vec3<V>& p, const Vec3<V>& n, Uv u);
+    /// `read` is looked at by the filters that read levels.
+    Vec3<V> operator()(const Vec3<V>& p, const Vec3<V>& n, Uv u, const LevelRead& read = {});
 
     /// D(u) in world units.
-    V displacement(Uv u);
+    V displacement(Uv u, const LevelRead& read = {});
+
+    /// Displaces a batch of vertices that have position, normal and texel coordinates.
+    void run(FineVertices<P>& batch);
 
     /// Displaces the new vertex of every edge that is split.
     void run(Span<Edge<P>> edges);
+
+    /// Who is told of every read, in order; null: nobody. It must outlive its use.
+    void attach(TexelPort* port) { port_ = port; }
 
     const DisplaceCounters& counters() const { return counters_; }
     void reset() { counters_ = {}; }
 
 private:
+    /// Texels that a footprint touches along one axis.
+    struct Touched {
+        std::array<int, 2> at{};
+        int count = 1;
+    };
+
+    typename P::Wide height(Uv u, const LevelRead& read);
+    typename P::Wide nearest(Uv u);
     typename P::Wide bilinear(Uv u);
-    int64_t texel(int x, int y) const;
+    typename P::Wide of_level(Uv u, const LevelRead& read);
+    Touched touched(int32_t u, int32_t reach, int level, int size) const;
+    int64_t texel(int x, int y, int level = 0, bool minima = false);
+    void move(FineVertices<P>& batch, const FineArray<typename P::Wide>& heights);
 
     int uv_frac_;
     int filter_bits_;     // extra fraction bits of a filtered height over a stored one
     int align_position_;  // from the position's fraction to that of D * N
     Format displacement_format_;
-    Cast to_filtered_;
+    Cast to_filtered_, average_to_filtered_;
     Cast to_displacement_;
     Cast add_bias_;
     Cast to_position_;
     MapView<P> map_;
+    TexelPort* port_ = nullptr;
+    /// First texels of the levels, then of their minima; and texels in a row of each.
+    std::array<std::array<std::size_t, kMostLevels + 1>, 2> start_{};
+    std::array<std::size_t, kMostLevels + 1> row_{};
     DisplaceCounters counters_;
 };
 

@@ -179,6 +179,53 @@ SweepVector TriangleSetup::edge_start(const SweepTriangle& out, int from, int to
     return vector;
 }
 
+// Step 6. Edges never saturate: two ends of n >= 2 steps, the least with a vertex between them,
+// differ by n / 2 times the format's range at most. A step inside a sliver may.
+template <class Numerator>
+TexelStep<int32_t> TriangleSetup::texel_step(Numerator&& numerator, int64_t divisor) const {
+    const auto quotient = [&](std::size_t component, int bits) {
+        const int64_t high = (int64_t{1} << (bits - 1)) - 1;
+        int64_t q = numerator(component) / divisor;
+        q = q > high ? high : q;
+        q = q < ~high ? ~high : q;
+        return static_cast<int32_t>(q);
+    };
+    constexpr std::size_t kTexture = 6;
+    return {quotient(kTexture, options_.data_bits), quotient(kTexture + 1, options_.data_bits),
+            quotient(kInverseWComponent, options_.c_bits)};
+}
+
+void TriangleSetup::set_texel_steps(SweepTriangle& out, const Frame& frame) const {
+    const auto difference = [&out](int from, int to, std::size_t i) {
+        return int64_t{out.corners[index(to)].data[i]} - out.corners[index(from)].data[i];
+    };
+    out.texel_steps = {};
+    for (int e = 0; e < 3; ++e) {
+        const int next = (e + 1) % 3;
+        const bool canonical = is_canonical(out, e, next);
+        const int from = canonical ? e : next, to = canonical ? next : e;
+        out.texel_steps.edges[index(e)] =
+            texel_step([&](std::size_t i) { return difference(from, to, i); },
+                       at_least_one(frame.steps[index(e)]));
+    }
+    if (out.determinant == 0) return;
+    const auto [a, b, c] = frame.abc;
+    const int32_t sb = frame.s[index(b)] - frame.s[index(a)];
+    const int32_t sc = frame.s[index(c)] - frame.s[index(a)];
+    const int32_t yb = frame.y[index(b)] - frame.y[index(a)];
+    const int32_t yc = frame.y[index(c)] - frame.y[index(a)];
+    out.texel_steps.sweep = texel_step(
+        [&, a = a, b = b, c = c](std::size_t i) {
+            return difference(a, b, i) * yc - difference(a, c, i) * yb;
+        },
+        out.determinant);
+    out.texel_steps.side = texel_step(
+        [&, a = a, b = b, c = c](std::size_t i) {
+            return difference(a, c, i) * sb - difference(a, b, i) * sc;
+        },
+        out.determinant);
+}
+
 // Inside there is one origin, A, for both halves; the plain kind starts anew from B.
 PrimaryWalk TriangleSetup::primary_walk(const SweepTriangle& out, const Frame& frame, int from,
                                         int to) const {
@@ -287,6 +334,7 @@ void TriangleSetup::operator()(const std::array<SweepCorner, 3>& corners, SweepT
     set_halves(out, frame);
     set_gradients(out, frame);
     set_primary(out, frame);
+    if (options_.footprints) set_texel_steps(out, frame);
     ++counters_.forms[static_cast<std::size_t>(out.form)];
     // Three edges and two gradients: a walk the other way only subtracts.
     counters_.divisions += 5 * static_cast<uint64_t>(out.components);

@@ -19,6 +19,9 @@ struct TriangleSetupOptions {
     AdderKind adder = AdderKind::Exact;
     int guard_bits = 0;  ///< 0..13 below the LSB of vertex data; the exact kind has none
     int components = kSweepComponents;
+    bool footprints = false;  ///< steps of texture coordinates and c are wanted by `footprint`
+    int data_bits = 32;       ///< of such a step of u c or v c, and ...
+    int c_bits = 32;          ///< ... of c: more saturates
 };
 
 /// What `triangle_setup` counted.
@@ -31,7 +34,7 @@ struct TriangleSetupCounters {
     uint64_t divisions = 0;
 };
 
-/// Base triangle setup (Gumhold and Huettner 3.4.1 to 3.4.3).
+/// Base triangle setup (Gumhold and Huettner 3.4.1 to 3.4.3; step 6 for 4.1).
 ///
 ///  1. corners to the grid, round half up, one function of the vertex alone, then the guard clamp;
 ///  2. main direction of each edge: the largest difference, x before y before z; that difference
@@ -47,7 +50,10 @@ struct TriangleSetupCounters {
 ///       D      = (sB-sA)(yC-yA) - (yB-yA)(sC-sA)
 ///       Dsweep = ((XB-XA)(yC-yA) - (XC-XA)(yB-yA)) / D
 ///       Dside  = ((XC-XA)(sB-sA) - (XB-XA)(sC-sA)) / D
-///     D is 0 only if the corners are collinear in space; then nothing lies inside.
+///     D is 0 only if the corners are collinear in space; then nothing lies inside;
+///  6. for footprints the same quotients of u c, v c and c, rounded towards zero: a division gives
+///     them with the exact ones, and turning an edge round only changes their sign. Edges count
+///     from the end with the lower id, so both triangles have the same bits, with every adder.
 class TriangleSetup {
 public:
     explicit TriangleSetup(const TriangleSetupOptions& options = {}) : options_(options) {
@@ -58,6 +64,7 @@ public:
 
     /// Between draws: the components of a vertex that are in use, at most kSweepComponents.
     void use_components(int components) { options_.components = components; }
+    void use_footprints(bool wanted) { options_.footprints = wanted; }
 
     /// Step 1: a grid position with kGridFractionBits fraction bits to its slot.
     std::array<int32_t, 3> slot(const std::array<int32_t, 3>& position);
@@ -89,6 +96,9 @@ private:
     SweepVector edge_start(const SweepTriangle& out, int from, int to, int32_t steps,
                            const SweepVector& difference) const;
     int64_t rounded_quotient(int64_t numerator, int64_t divisor) const;
+    void set_texel_steps(SweepTriangle& out, const Frame& frame) const;
+    template <class Numerator>
+    TexelStep<int32_t> texel_step(Numerator&& numerator, int64_t divisor) const;
 
     TriangleSetupOptions options_;
     TriangleSetupRegisters registers_;

@@ -1,14 +1,16 @@
 `default_nettype none
 
 // Displace Vertex (Doggett and Hirche 2000, equation 1 and section 3): P' = P + D(U) N, with the
-// height of the nearest texel or of the four around U, interpolated, scaled to world units.
+// height of the nearest texel or of the four around U, interpolated, scaled to world units. Or, of
+// a filter level, with the highest of the texels under a footprint, the lowest where the surface
+// is seen from the back, or their average (Gumhold and Huettner 4.1).
 //
-// Stage 1: the cell that U lies in. Stage 2: a read a cycle, one or four. Stages 3 and 4 of the
-// answers: weights; the sum of a vertex' answers is stage 5. Stage 6: the height. Stages 7 to 9:
-// D. Stage 10: the products D * N. Stage 11: P + D N, cast.
+// Stage 1: the cell that U lies in. Stage 2: a read a cycle, one, two or four. Stages 3 and 4 of
+// the answers: weights; a vertex' answers become one in stage 5. Stage 6: the height. Stages 7 to
+// 9: D. Stage 10: the products D * N. Stage 11: P + D N, cast.
 //
-// Time: with a memory that answers M cycles after a request, latency 12 + M, and 3 more with four
-// reads; 1 or 4 cycles a vertex; in_ready depends on registers and on the memory alone.
+// Time: with a memory that answers M cycles after a request, latency 12 + M, and R - 1 more with R
+// reads; R cycles a vertex; in_ready depends on registers and on the memory alone.
 module displace #(
 `include "rtl/units/displace_params.svh"
 ) (
@@ -19,7 +21,8 @@ module displace #(
     input  wire        [14:0]             map_width,       // texels
     input  wire        [14:0]             map_height,
     input  wire                           wrap,            // the map is periodic
-    input  wire                           bilinear,        // otherwise the nearest texel
+    input  wire        [1:0]              filter,          // nearest, bilinear, maximum, average
+    input  wire                           minima,          // the levels have their own
     input  wire        [24:0]             scale_mantissa,  // D = h * mantissa * 2^-exponent + bias
     input  wire        [5:0]              scale_exponent,
     input  wire signed [DISPLACEMENT_WIDTH-1:0] bias,
@@ -34,12 +37,18 @@ module displace #(
     input  wire signed [NORMAL_WIDTH-1:0] n_z,
     input  wire signed [UV_WIDTH-1:0]     u_x,             // within one period of the map
     input  wire signed [UV_WIDTH-1:0]     u_y,
+    input  wire signed [UV_WIDTH-1:0]     reach_x,         // of a filter level: U +- reach
+    input  wire signed [UV_WIDTH-1:0]     reach_y,
+    input  wire        [3:0]              level,
+    input  wire                           back,            // seen from the back: the lowest
 
     // The texel read port: requests, and answers in their order.
     output wire                           texel_valid,
     input  wire                           texel_ready,
-    output wire        [13:0]             texel_x,
+    output wire        [13:0]             texel_x,         // in texels of the level
     output wire        [13:0]             texel_y,
+    output wire        [3:0]              texel_level,
+    output wire                           texel_minimum,   // of the level's minima
     input  wire                           texel_rvalid,
     output wire                           texel_rready,
     input  wire        [HEIGHT_WIDTH-1:0] texel_rdata,
@@ -54,6 +63,7 @@ module displace #(
     localparam integer NW = NORMAL_WIDTH;
     localparam integer DW = DISPLACEMENT_WIDTH;
     localparam integer VW = 3 * (PW + NW);         // P and N
+    localparam integer RW = VW + 5;                // and the filter level, and the side seen
     localparam integer WW = UV_FRAC + 1;           // a weight
 
     localparam integer FILTER_BITS = FILTERED_HEIGHT_FRAC - HEIGHT_FRAC;
@@ -66,43 +76,55 @@ module displace #(
     localparam integer IN_FLIGHT = 8;
 
     // Stages 1 and 2.
+    wire          levels = filter[1];
     wire          load_cell, load_item;
     wire          cell_valid, cell_ready;
-    wire [VW-1:0] cell_vertex;
+    wire [RW-1:0] cell_vertex;
     wire          beat_valid, beat_ready, beat_last;
-    wire [VW-1:0] beat_vertex;
+    wire [RW-1:0] beat_vertex;
     wire [2:0]    beat_j;
+    wire          two_columns, two_rows;
 
-    rp_pipe #(.W(VW), .L(1)) locating (
+    rp_pipe #(.W(RW), .L(1)) locating (
         .clk(clk), .rst_n(rst_n),
-        .in_valid(in_valid), .in_ready(in_ready), .in_data({p_z, p_y, p_x, n_z, n_y, n_x}),
+        .in_valid(in_valid), .in_ready(in_ready),
+        .in_data({levels & back, {4{levels}} & level, p_z, p_y, p_x, n_z, n_y, n_x}),
         .out_valid(cell_valid), .out_ready(cell_ready), .out_data(cell_vertex),
         .load(load_cell)
     );
-    rp_expand #(.W(VW), .NW(3)) reading (
+    rp_expand #(.W(RW), .NW(3)) reading (
         .clk(clk), .rst_n(rst_n),
         .in_valid(cell_valid), .in_ready(cell_ready), .in_data(cell_vertex),
-        .in_n(bilinear ? 3'd4 : 3'd1),
+        .in_n(3'd1 << ({1'b0, two_columns} + {1'b0, two_rows})),
         .out_valid(beat_valid), .out_ready(beat_ready), .out_data(beat_vertex),
         .out_j(beat_j), .out_last(beat_last), .load(load_item)
     );
 
     wire [13:0]   x_low, x_high, y_low, y_high;
     wire [WW-1:0] x_low_weight, x_high_weight, y_low_weight, y_high_weight;
+    wire          x_apart, y_apart;
 
     displace_cell #(.UV_WIDTH(UV_WIDTH), .UV_FRAC(UV_FRAC)) column (
         .clk(clk), .load(load_cell), .load_item(load_item),
-        .size(map_width), .wrap(wrap), .bilinear(bilinear), .u(u_x),
+        .size(map_width), .wrap(wrap), .filter(filter), .u(u_x), .reach(reach_x),
+        .level(cell_vertex[VW +: 4]), .two(two_columns), .apart(x_apart),
         .low(x_low), .high(x_high), .low_weight(x_low_weight), .high_weight(x_high_weight)
     );
     displace_cell #(.UV_WIDTH(UV_WIDTH), .UV_FRAC(UV_FRAC)) row (
         .clk(clk), .load(load_cell), .load_item(load_item),
-        .size(map_height), .wrap(wrap), .bilinear(bilinear), .u(u_y),
+        .size(map_height), .wrap(wrap), .filter(filter), .u(u_y), .reach(reach_y),
+        .level(cell_vertex[VW +: 4]), .two(two_rows), .apart(y_apart),
         .low(y_low), .high(y_high), .low_weight(y_low_weight), .high_weight(y_high_weight)
     );
 
-    assign texel_x = beat_j[0] ? x_high : x_low;
-    assign texel_y = beat_j[1] ? y_high : y_low;
+    // Beats go along x first, where both its ends are read.
+    wire at_x_high = x_apart & beat_j[0];
+    wire at_y_high = y_apart & (x_apart ? beat_j[1] : beat_j[0]);
+
+    assign texel_x       = at_x_high ? x_high : x_low;
+    assign texel_y       = at_y_high ? y_high : y_low;
+    assign texel_level   = beat_vertex[VW +: 4];
+    assign texel_minimum = minima & beat_vertex[VW + 4] & (beat_vertex[VW +: 4] != 4'd0);
 
     wire unused_j = &{1'b0, beat_j[2]};            // four beats are numbered 0 to 3
 
@@ -110,14 +132,14 @@ module displace #(
     wire                    answer_valid, answer_ready, answer_first, answer_last;
     wire                    unused_read;
     wire [WW-1:0]           answer_weight_x, answer_weight_y;
-    wire [VW-1:0]           answer_vertex;
+    wire [RW-1:0]           answer_vertex;
     wire [HEIGHT_WIDTH-1:0] answer;
 
-    rp_client #(.DW(HEIGHT_WIDTH), .TW(2 + 2 * WW + VW), .K(IN_FLIGHT)) reader (
+    rp_client #(.DW(HEIGHT_WIDTH), .TW(2 + 2 * WW + RW), .K(IN_FLIGHT)) reader (
         .clk(clk), .rst_n(rst_n),
         .in_valid(beat_valid), .in_ready(beat_ready), .in_read(1'b1),
-        .in_tag({beat_j == 3'd0, beat_last, beat_j[0] ? x_high_weight : x_low_weight,
-                 beat_j[1] ? y_high_weight : y_low_weight, beat_vertex}),
+        .in_tag({beat_j == 3'd0, beat_last, at_x_high ? x_high_weight : x_low_weight,
+                 at_y_high ? y_high_weight : y_low_weight, beat_vertex}),
         .mem_valid(texel_valid), .mem_ready(texel_ready),
         .mem_rvalid(texel_rvalid), .mem_rready(texel_rready), .mem_rdata(texel_rdata),
         .out_valid(answer_valid), .out_ready(answer_ready),
@@ -131,11 +153,12 @@ module displace #(
     wire [6:0]    load;
     wire          term_valid, term_ready, term_first, term_last;
     wire          sum_valid, sum_ready;
-    wire [VW-1:0] term_vertex;
+    wire [RW-1:0] term_vertex;
+    wire          unused_level = &{1'b0, term_vertex[VW +: 4]};
     wire          unused_load = load[0];           // stage 5 takes every beat, not only the last
     wire          unused_out;
 
-    rp_pipe #(.W(2 + VW), .L(2)) weighting (
+    rp_pipe #(.W(2 + RW), .L(2)) weighting (
         .clk(clk), .rst_n(rst_n),
         .in_valid(answer_valid), .in_ready(answer_ready),
         .in_data({answer_first, answer_last, answer_vertex}),
@@ -158,7 +181,7 @@ module displace #(
     wire [VW-1:0] vertex;
 
     rp_delay #(.W(VW), .L(5)) waiting (
-        .clk(clk), .load(load[4:0]), .in_data(term_vertex), .out_data(vertex)
+        .clk(clk), .load(load[4:0]), .in_data(term_vertex[VW-1:0]), .out_data(vertex)
     );
 
     wire [HW-1:0]        height;
@@ -167,9 +190,9 @@ module displace #(
     displace_height #(
         .HEIGHT_WIDTH(HEIGHT_WIDTH), .UV_FRAC(UV_FRAC), .SHIFT(2 * UV_FRAC - FILTER_BITS),
         .FILTERED(FILTERED_HEIGHT_WIDTH), .OW(HW)
-    ) filter (
+    ) joining (
         .clk(clk), .load(load_answer), .load_beat(load_beat), .load_height(load[1]),
-        .bilinear(bilinear), .first(term_first), .texel(answer),
+        .filter(filter), .first(term_first), .back(term_vertex[VW + 4]), .texel(answer),
         .weight_x(answer_weight_x), .weight_y(answer_weight_y), .height(height)
     );
     displace_scale #(.HW(HW), .FRAC(DISPLACEMENT_FRAC - FILTER_BITS), .DW(DW)) scale (

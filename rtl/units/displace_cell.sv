@@ -1,11 +1,12 @@
 `default_nettype none
 
-// One axis of a height read: the cell that U lies in and U's place in it, then the two texel
-// coordinates of that cell, brought onto the map.
+// One axis of a height read: the two ends of what is read, then their texel coordinates, brought
+// onto the map and to its filter level.
 //
 // Texel centres lie at +1/2, so between them the cell is found half a texel lower; the nearest
-// texel is floor(U). Stage 1: cell and weight. Stage 2: coordinates, with U within one period of a
-// periodic map, or clamped to the border.
+// texel is floor(U). Of a filter level, the ends are those of U +- reach. Stage 1: ends and weight.
+// Stage 2: coordinates, with U within one period of a periodic map, or clamped to the border; then
+// dropping `level` bits. Where both ends of a footprint have the same, one is read.
 module displace_cell #(
     parameter integer UV_WIDTH = 23,
     parameter integer UV_FRAC  = 8
@@ -15,11 +16,15 @@ module displace_cell #(
     input  wire                       load_item,   // enable of stage 2
     input  wire        [14:0]         size,        // of the map, texels
     input  wire                       wrap,
-    input  wire                       bilinear,
+    input  wire        [1:0]          filter,
     input  wire signed [UV_WIDTH-1:0] u,
-    output reg         [13:0]         low,         // coordinates of the cell's texels
+    input  wire signed [UV_WIDTH-1:0] reach,
+    input  wire        [3:0]          level,       // with stage 2; 0 without filter levels
+    output wire                       two,         // with stage 2: coordinates to read
+    output reg                        apart,       // the same behind it
+    output reg         [13:0]         low,         // coordinates of the ends' texels
     output reg         [13:0]         high,
-    output reg         [UV_FRAC:0]    low_weight,  // 2^UV_FRAC together
+    output reg         [UV_FRAC:0]    low_weight,  // 2^UV_FRAC together if both are read
     output reg         [UV_FRAC:0]    high_weight
 );
     // Wide enough for a texel beyond either end of U's range, and for twice a map's size.
@@ -29,12 +34,18 @@ module displace_cell #(
 
     localparam [UV_FRAC:0] ONE = (UV_FRAC+1)'(1) << UV_FRAC;
 
-    wire signed [MW-1:0] wide  = MW'(u);
-    wire signed [MW-1:0] half  = MW'($signed({1'b0, ONE >> 1}));
-    wire signed [MW-1:0] moved = bilinear ? wide - half : wide;
-    wire signed [MW-1:0] place = moved >>> UV_FRAC;
+    wire                 bilinear = (filter == 2'd1);
+    wire                 average  = (filter == 2'd3);
+    wire                 levels   = filter[1];
+    wire signed [MW-1:0] wide     = MW'(u);
+    wire signed [MW-1:0] half     = MW'($signed({1'b0, ONE >> 1}));
+    wire signed [MW-1:0] to_end   = MW'(reach);
+    wire signed [MW-1:0] moved    = levels ? wide - to_end : bilinear ? wide - half : wide;
+    wire signed [MW-1:0] other    = wide + to_end;
+    wire signed [MW-1:0] first    = moved >>> UV_FRAC;
+    wire signed [MW-1:0] last     = levels ? (other >>> UV_FRAC) : first + MW'(1);
 
-    wire unused_top = &{1'b0, place};      // the cell has fewer bits than U
+    wire unused_top = &{1'b0, first, last};  // coordinates have fewer bits than U
 
     function automatic [13:0] coordinate(
         input signed [XW-1:0] i,
@@ -56,19 +67,26 @@ module displace_cell #(
         end
     endfunction
 
-    reg signed [XW-1:0]  index;
-    reg        [UV_FRAC:0] weight;         // of the high texel; none without interpolation
+    reg signed [XW-1:0] first_index, last_index;
+    reg [UV_FRAC:0]     weight;            // of the high texel; none without interpolation
+
+    wire [13:0] low_texel  = coordinate(first_index, size, wrap) >> level;
+    wire [13:0] high_texel = coordinate(last_index, size, wrap) >> level;
+
+    assign two = bilinear | (levels & (low_texel != high_texel));
 
     always_ff @(posedge clk) begin
         if (load) begin
-            index  <= place[XW-1:0];
-            weight <= moved[UV_FRAC:0] & (ONE - 1'b1) & {(UV_FRAC+1){bilinear}};
+            first_index <= first[XW-1:0];
+            last_index  <= last[XW-1:0];
+            weight      <= moved[UV_FRAC:0] & (ONE - 1'b1) & {(UV_FRAC+1){bilinear}};
         end
         if (load_item) begin
-            low         <= coordinate(index, size, wrap);
-            high        <= coordinate(index + 1, size, wrap);
-            low_weight  <= ONE - weight;
-            high_weight <= weight;
+            apart       <= two;
+            low         <= low_texel;
+            high        <= high_texel;
+            low_weight  <= (average & two) ? ONE >> 1 : ONE - weight;
+            high_weight <= average ? ONE >> 1 : levels ? ONE : weight;
         end
     end
 endmodule

@@ -17,7 +17,7 @@ namespace {
 
 using reference::FineName;
 
-constexpr double kTexels = 256;  // of the map that texture coordinates count
+constexpr int kTexels = 256;  // that texture coordinates count where there is no map
 
 Format data_format(int frac) {
     Format format;
@@ -42,7 +42,8 @@ FineName mesh_name(const VertexName& name, const SweepTriangle& triangle, uint32
     return {FineName::Kind::Inside, base, 0, name.a, name.b};
 }
 
-// Position, normal, texture coordinates and c: all that a vertex is, behind `perspective`.
+// Position, normal, texture coordinates and c: all that a vertex is, behind `perspective`; and
+// where `displace` puts it.
 uint64_t digest_of(const FineVertex<Fixed>& vertex, int32_t c) {
     reference::Digest digest;
     const auto pair = [&](int32_t a, int32_t b) {
@@ -53,8 +54,13 @@ uint64_t digest_of(const FineVertex<Fixed>& vertex, int32_t c) {
     pair(vertex.position.z, vertex.normal.x);
     pair(vertex.normal.y, vertex.normal.z);
     pair(vertex.uv.x, vertex.uv.y);
-    pair(c, 0);
+    pair(c, vertex.displaced.x);
+    pair(vertex.displaced.y, vertex.displaced.z);
     return digest.value();
+}
+
+bool reads_footprints(const MeshSetting& setting) {
+    return setting.map != nullptr && reads_levels(setting.map->filter);
 }
 
 int64_t steps_of(const SweepCorner& p, const SweepCorner& q) {
@@ -172,18 +178,23 @@ void MeshRemesher::place_corners(const host::GridCamera& camera, const MeshSetti
     const auto registers = host::make_grid_registers<Fixed>(profile, camera, table);
     VertexTransform<Fixed> transform(profile);
     GridTransform<Fixed> grid(profile);
-    transform.configure(encode.camera(camera.view));
+    const ViewRegisters<Fixed> view = encode.camera(camera.view);
+    transform.configure(view);
+    eye_ = view.eye;
     if (registers) grid.configure(*registers);
     // The ball's middle, or what is at arm's length, lies in the middle of the depths.
     const double middle = std::max(glm::length(camera.view.eye), 4 * setting.w_min);
     setup.configure(
         {setting.guard_grid, static_cast<int32_t>(std::lround(host::grid_depth(camera, middle)))});
     corners_.resize(mesh_.positions.size());
+    const glm::dvec2 texels = setting.map == nullptr
+                                  ? glm::dvec2(kTexels)
+                                  : glm::dvec2(setting.map->width, setting.map->height);
     for (std::size_t i = 0; i < corners_.size(); ++i) {
         Vertex<Fixed> vertex;
         vertex.position = encode.vector(mesh_.positions[i], &Profile::position, "position");
         vertex.normal = encode.vector(mesh_.normals[i], &Profile::normal, "normal");
-        const glm::dvec2 uv = mesh_.uv[i] * kTexels;
+        const glm::dvec2 uv = mesh_.uv[i] * texels;
         vertex.uv = {encode.value(uv.x, &Profile::uv, "u"), encode.value(uv.y, &Profile::uv, "v")};
         const GridPoint<Fixed> point = grid(transform.eye(vertex.position));
         corners_[i].id = static_cast<uint32_t>(i);
@@ -209,18 +220,55 @@ host::GridCamera MeshRemesher::grid_camera(const host::CameraSettings& camera,
     return grid;
 }
 
+void MeshRemesher::prepare(const Profile& profile, const MeshSetting& setting) {
+    perspective_.emplace(profile);
+    perspective_->configure(false);
+    footprint_.reset();
+    displace_.reset();
+    if (setting.map == nullptr) return;
+    displace_.emplace(profile);
+    displace_->configure(*setting.map);
+    if (!reads_footprints(setting)) return;
+    footprint_.emplace(profile);
+    footprint_->configure({setting.map->width, setting.map->height, setting.map->last_level, eye_});
+}
+
+// What the device does with a new vertex, without bump.
+void MeshRemesher::finish_vertex(const SweepVertex& vertex, const SweepTriangle& base,
+                                 const MeshSetting& setting, FineVertex<Fixed>& fine) {
+    (*perspective_)(vertex, fine);
+    if (footprint_) {
+        TexelSteps<int32_t> steps = base.texel_steps;
+        if (!setting.edge_rule) steps.edges.fill(steps.sweep);
+        (*footprint_)(vertex.data[kInverseWComponent], steps, fine);
+    }
+    if (displace_) fine.displaced = (*displace_)(fine.position, fine.normal, fine.uv, fine.read);
+}
+
+// Level changes along the edges of a fine triangle.
+void MeshRemesher::count_jumps(const std::array<const Read*, 3>& reads, MeshFigures& figures) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Read &a = *reads[k], &b = *reads[(k + 1) % 3];
+        const auto jump = static_cast<std::size_t>(std::abs(int{a.read.level} - int{b.read.level}));
+        ++figures.jumps[jump];
+        figures.corner_jumps[jump] += a.is_corner || b.is_corner;
+        figures.mixed += a.read.back != b.read.back;
+    }
+}
+
 MeshFigures MeshRemesher::run(const host::CameraSettings& camera, const host::Viewport& viewport,
                               const MeshSetting& setting) {
     Profile profile = profile_;
     profile.sweep_data = data_format(setting.data_frac);
-    TriangleSetup setup({setting.adder, setting.guard_bits, kPlainComponents});
+    TriangleSetup setup({setting.adder, setting.guard_bits, kPlainComponents,
+                         reads_footprints(setting), profile.sweep_data.width,
+                         profile.inverse_w.width});
     SweepLine sweep({setting.column_depth, {}});
     Strip<uint32_t> strip(static_cast<std::size_t>(std::max(1, setting.column_depth)));
-    Perspective<Fixed> perspective(profile);
-    perspective.configure(false);
     MeshFigures figures;
     const host::GridCamera grid = grid_camera(camera, viewport, setting);
     place_corners(grid, setting, profile, setup, figures);
+    prepare(profile, setting);
     // A distance at c is so many pixels on the screen.
     const double pixels = grid.view.focal.x / grid.w_scale;
 
@@ -229,16 +277,19 @@ MeshFigures MeshRemesher::run(const host::CameraSettings& camera, const host::Vi
     StripTriangles<uint32_t> made;
     FineVertex<Fixed> fine;
     std::vector<FineName> names;
+    std::vector<Read> reads;
     for (uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
         const auto& v = mesh_.triangles[t];
         setup({corners_[v[0]], corners_[v[1]], corners_[v[2]]}, base);
         names.clear();
+        reads.clear();
         sweep.run(base, [&](const SweepStep& step) {
             std::array<uint32_t, 4> numbers{};
             for (std::size_t i = 0; i < step.vertex_count; ++i) {
                 const SweepVertex& vertex = step.vertices[i];
-                perspective(vertex, fine);
+                finish_vertex(vertex, base, setting, fine);
                 numbers[i] = static_cast<uint32_t>(names.size());
+                reads.push_back({fine.read, vertex.name.kind == NameKind::Corner});
                 names.push_back(mesh_name(vertex.name, base, t));
                 checker_.add_vertex(names.back(), digest_of(fine, vertex.data[kInverseWComponent]));
                 if (vertex.name.kind != NameKind::Edge) continue;
@@ -254,6 +305,7 @@ MeshFigures MeshRemesher::run(const host::CameraSettings& camera, const host::Vi
             for (std::size_t i = 0; i < made.count; ++i) {
                 const auto& [a, b, c] = made.triangles[i];
                 checker_.add_triangle({names[a], names[b], names[c]});
+                count_jumps({&reads[a], &reads[b], &reads[c]}, figures);
             }
         });
         checker_.finish_base();
@@ -261,6 +313,7 @@ MeshFigures MeshRemesher::run(const host::CameraSettings& camera, const host::Vi
     figures.mesh = checker_.finish();
     figures.clamped_grid = setup.counters().clamped;
     figures.runaways = sweep.counters().runaways;
+    if (footprint_) figures.footprints = footprint_->counters();
     figures.bad_refs = strip.counters().bad_refs;
     return figures;
 }

@@ -2,12 +2,15 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "datapath/profile.h"
 #include "datapath/sweep_items.h"
+#include "datapath/units/displace.h"
+#include "datapath/units/footprint.h"
 #include "datapath/units/grid_transform.h"
 #include "datapath/units/perspective.h"
 #include "datapath/units/strip.h"
@@ -41,6 +44,9 @@ struct MeshSetting {
     int column_depth = 0;  ///< 0: one lane
     int guard_grid = kGridLimit;
     double w_min = 0.05;  ///< world units
+    /// Displaces the vertices, by footprints if the filter reads levels; null: they stay.
+    const MapView<Fixed>* map = nullptr;
+    bool edge_rule = true;  ///< false, to show what it is for: edges have the sweep's footprint
 };
 
 /// What remeshing a mesh under one camera gave.
@@ -55,6 +61,11 @@ struct MeshFigures {
     uint64_t overflows = 0;    ///< vertex data that left their format
     uint64_t runaways = 0;
     uint64_t bad_refs = 0;
+    FootprintCounters footprints;
+    /// Fine edges by how many filter levels their ends are apart; of these, those with a corner.
+    std::array<uint64_t, kMostLevels + 1> jumps{};
+    std::array<uint64_t, kMostLevels + 1> corner_jumps{};
+    uint64_t mixed = 0;  ///< fine edges with one end seen from the front and one from the back
 };
 
 /// Remeshes whole meshes with the device's units and judges the result by name.
@@ -70,12 +81,25 @@ public:
 private:
     host::GridCamera grid_camera(const host::CameraSettings& camera, const host::Viewport& viewport,
                                  const MeshSetting& setting) const;
+    /// What a vertex read of the map.
+    struct Read {
+        LevelRead read;
+        bool is_corner = false;
+    };
+    static void count_jumps(const std::array<const Read*, 3>& reads, MeshFigures& figures);
+    void prepare(const Profile& profile, const MeshSetting& setting);
+    void finish_vertex(const SweepVertex& vertex, const SweepTriangle& base,
+                       const MeshSetting& setting, FineVertex<Fixed>& fine);
     void place_corners(const host::GridCamera& camera, const MeshSetting& setting,
                        const Profile& profile, TriangleSetup& setup, MeshFigures& figures);
 
     Profile profile_;
     const host::Mesh& mesh_;
     std::vector<SweepCorner> corners_;  // by base vertex
+    Vec3<int32_t> eye_;
+    std::optional<Perspective<Fixed>> perspective_;
+    std::optional<Footprint<Fixed>> footprint_;
+    std::optional<Displace<Fixed>> displace_;
     reference::FineMeshChecker checker_;
 };
 

@@ -14,14 +14,8 @@ Displace::Displace(const sc_core::sc_module_name& name, const Profile& profile)
                    }
                });
            }),
-      fine("fine",
-           [this](FineBatch& batch, BatchTime& time) {
-               timed(time, [&] {
-                   for (FineVertex<Fixed>& v : batch.vertices) {
-                       v.displaced = unit_(v.position, v.normal, v.uv);
-                   }
-               });
-           }),
+      fine("fine", [this](FineBatch& batch,
+                          BatchTime& time) { timed(time, [&] { unit_.run(batch.vertices); }); }),
       unit_(profile) {}
 
 template <class Work>

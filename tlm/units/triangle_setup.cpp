@@ -12,8 +12,10 @@ TriangleSetup::TriangleSetup(const sc_core::sc_module_name& name, const Profile&
       unit_(setup_options(profile, true)),
       dividers_(static_cast<uint64_t>(profile.dividers)) {}
 
-void TriangleSetup::configure(const TriangleSetupRegisters& registers, int components) {
+void TriangleSetup::configure(const TriangleSetupRegisters& registers, int components,
+                              bool footprints) {
     unit_.configure(registers);
+    unit_.use_footprints(footprints);
     unit_.use_components(components);
 }
 

@@ -13,8 +13,8 @@ class TriangleSetup : public sc_core::sc_module {
 public:
     TriangleSetup(const sc_core::sc_module_name& name, const Profile& profile);
 
-    /// `components` of a vertex are in use.
-    void configure(const TriangleSetupRegisters& registers, int components);
+    /// `components` of a vertex are in use; `footprints`: so are the steps of texture coordinates.
+    void configure(const TriangleSetupRegisters& registers, int components, bool footprints);
     void reset() { unit_.reset(); }
     const TriangleSetupCounters& counters() const { return unit_.counters(); }
 

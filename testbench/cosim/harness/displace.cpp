@@ -6,8 +6,8 @@ namespace {
 
 struct DisplaceUnit {
     static constexpr const char* kName = "displace";
-    static constexpr int kConfigs = 7;
-    static constexpr int kInputs = 8;
+    static constexpr int kConfigs = 8;
+    static constexpr int kInputs = 12;
     static constexpr int kOutputs = 3;
     static constexpr int kReadEntries = 1;
 
@@ -15,10 +15,11 @@ struct DisplaceUnit {
         top.map_width = bits<15>(config[0]);
         top.map_height = bits<15>(config[1]);
         top.wrap = bits<1>(config[2]);
-        top.bilinear = bits<1>(config[3]);
-        top.scale_mantissa = bits<25>(config[4]);
-        top.scale_exponent = bits<6>(config[5]);
-        top.bias = bits<DISPLACEMENT_WIDTH>(config[6]);
+        top.filter = bits<2>(config[3]);
+        top.minima = bits<1>(config[4]);
+        top.scale_mantissa = bits<25>(config[5]);
+        top.scale_exponent = bits<6>(config[6]);
+        top.bias = bits<DISPLACEMENT_WIDTH>(config[7]);
     }
 
     static void drive(Vunit& top, const int64_t* in) {
@@ -30,6 +31,10 @@ struct DisplaceUnit {
         top.n_z = bits<NORMAL_WIDTH>(in[5]);
         top.u_x = bits<UV_WIDTH>(in[6]);
         top.u_y = bits<UV_WIDTH>(in[7]);
+        top.reach_x = bits<UV_WIDTH>(in[8]);
+        top.reach_y = bits<UV_WIDTH>(in[9]);
+        top.level = bits<4>(in[10]);
+        top.back = bits<1>(in[11]);
     }
 
     static void sample(const Vunit& top, int64_t* out) {
@@ -47,8 +52,17 @@ struct DisplaceUnit {
     static bool requests(const Vunit& top) { return top.texel_valid; }
     static bool takes_answer(const Vunit& top) { return top.texel_rready; }
     static bool wants(const Vunit&, int) { return true; }
+    /// All levels stand below each other in one table of as many columns as the map's, then the
+    /// minima of levels 1 to 14 (displace_model.cpp).
     static Address address(const Vunit& top, int) {
-        return {static_cast<uint32_t>(top.texel_x), static_cast<uint32_t>(top.texel_y)};
+        constexpr uint32_t kMostLevels = 14;
+        const auto rows = [&top](uint32_t level) {
+            return (static_cast<uint32_t>(top.map_height) + (1U << level) - 1) >> level;
+        };
+        uint32_t first = 0;
+        for (uint32_t l = 0; l < top.texel_level; ++l) first += rows(l);
+        for (uint32_t l = 1; top.texel_minimum && l <= kMostLevels; ++l) first += rows(l);
+        return {static_cast<uint32_t>(top.texel_x), first + static_cast<uint32_t>(top.texel_y)};
     }
 };
 

@@ -181,6 +181,16 @@ HeightMap maximum_level(const HeightMap& map, int level) {
     });
 }
 
+HeightMap minimum_level(const HeightMap& map, int level) {
+    return by_blocks(map, level, [&](int x0, int x1, int y0, int y1) {
+        std::uint16_t lowest = 65535;
+        for (int y = y0; y < y1; ++y) {
+            for (int x = x0; x < x1; ++x) lowest = std::min(lowest, map.at(x, y));
+        }
+        return lowest;
+    });
+}
+
 namespace {
 
 /// Whether the descent ends: see VariationalSettings.
@@ -244,6 +254,20 @@ VariationalLevel variational_level(const HeightMap& map, int level,
     return result;
 }
 
+const char* level_filter_name(LevelFilter kind) {
+    switch (kind) {
+        case LevelFilter::Average:
+            return "average";
+        case LevelFilter::BoxMaximum:
+            return "maximum";
+        case LevelFilter::BoxMinimum:
+            return "minimum";
+        case LevelFilter::Variational:
+            break;
+    }
+    return "variational";
+}
+
 HeightMap filter_level(const HeightMap& map, int level, LevelFilter kind) {
     if (level == 0) return map;
     switch (kind) {
@@ -251,6 +275,8 @@ HeightMap filter_level(const HeightMap& map, int level, LevelFilter kind) {
             return average_level(map, level);
         case LevelFilter::BoxMaximum:
             return maximum_level(map, level);
+        case LevelFilter::BoxMinimum:
+            return minimum_level(map, level);
         case LevelFilter::Variational:
             break;
     }

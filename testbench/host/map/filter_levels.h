@@ -11,14 +11,21 @@ namespace repousse::host {
 enum class LevelFilter {
     Average,      ///< the mean of each block of 2^level x 2^level texels
     BoxMaximum,   ///< the highest texel of each block
+    BoxMinimum,   ///< the lowest texel of each block
     Variational,  ///< the least volume between the level's surface and the map
 };
+
+/// The name of a filter in scenes and reports.
+const char* level_filter_name(LevelFilter kind);
 
 /// The mean of each block, rounded half up; border blocks are cut short by the map's border.
 HeightMap average_level(const HeightMap& map, int level);
 
 /// The highest texel of each block.
 HeightMap maximum_level(const HeightMap& map, int level);
+
+/// The lowest texel of each block.
+HeightMap minimum_level(const HeightMap& map, int level);
 
 /// The variational descent of Gumhold and Huettner, section 4.2.
 ///
