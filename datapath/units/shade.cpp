@@ -17,6 +17,17 @@ Shade<P>::Shade(const Profile& profile)
       power_(Power(profile.power_log_index_bits, profile.power_exp_index_bits), profile.cosine.frac,
              profile.cosine) {}
 
+template <class P>
+void Shade<P>::configure(const ShadeRegisters<P>& registers, bool bumped) {
+    registers_ = registers;
+    bumped_ = bumped;
+    lit_ = 0;
+    for (int i = 0; i < lights_; ++i) {
+        const Light<P>& light = registers_.lights[static_cast<std::size_t>(i)];
+        if (!(light.diffuse == Colour<V>{} && light.specular == Colour<V>{})) lit_ = i + 1;
+    }
+}
+
 // Positions of 32 bits differ by 33; `scaled` leaves no more than a normalisation may have.
 template <class P>
 Vec3<typename P::Value> Shade<P>::view_vector(const Vec3<V>& displaced) {
@@ -63,7 +74,7 @@ Colour<typename P::Value> Shade<P>::illuminate(const Vec3<V>& normal, const Vec3
     Wide red = ambient(registers_.ambient.red);
     Wide green = ambient(registers_.ambient.green);
     Wide blue = ambient(registers_.ambient.blue);
-    for (int i = 0; i < lights_; ++i) {
+    for (int i = 0; i < lit_; ++i) {
         const Light<P>& light = registers_.lights[static_cast<std::size_t>(i)];
         Wide b = dot(normal, light.direction);
         b = turned ? -b : b;
@@ -80,6 +91,29 @@ Colour<typename P::Value> Shade<P>::illuminate(const Vec3<V>& normal, const Vec3
     return {P::quantize(to_colour_, red, counters_.saturated),
             P::quantize(to_colour_, green, counters_.saturated),
             P::quantize(to_colour_, blue, counters_.saturated)};
+}
+
+template <class P>
+void Shade<P>::operator()(Vertex<P>& v) {
+    v.colour = (*this)(v.displaced, bumped_ ? widened(v.displaced_normal) : v.normal);
+}
+
+template <class P>
+void Shade<P>::run(Span<Edge<P>> edges) {
+    for (Edge<P>& edge : edges) {
+        if (edge.split) (*this)(edge.mid);
+    }
+}
+
+template <class P>
+void Shade<P>::run(FineVertices<P>& batch) {
+    for (std::size_t i = 0; i < batch.size; ++i) {
+        const Vec3<V> normal = bumped_ ? widened(batch.displaced_normal[i]) : batch.normal[i];
+        const Colour<V> colour = (*this)(batch.displaced[i], normal);
+        batch.red[i] = colour.red;
+        batch.green[i] = colour.green;
+        batch.blue[i] = colour.blue;
+    }
 }
 
 template class Shade<Fixed>;

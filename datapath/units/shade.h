@@ -3,28 +3,18 @@
 #include <array>
 #include <cstdint>
 
+#include "datapath/fine_vertices.h"
 #include "datapath/items.h"
 #include "datapath/numbers/policy.h"
 #include "datapath/numbers/power.h"
 #include "datapath/profile.h"
+#include "datapath/span.h"
 #include "datapath/units/normalise.h"
 
 namespace repousse {
 
 /// Registers for lights that the unit can have; the profile's `lights` says how many it has.
 inline constexpr int kMaxLights = 8;
-
-template <class V>
-struct Colour {
-    V red{};
-    V green{};
-    V blue{};
-};
-
-template <class V>
-inline bool operator==(const Colour<V>& a, const Colour<V>& b) {
-    return a.red == b.red && a.green == b.green && a.blue == b.blue;
-}
 
 /// A directional light on one material.
 template <class P>
@@ -74,8 +64,8 @@ public:
 
     explicit Shade(const Profile& profile);
 
-    /// Sets the registers. Lights beyond the profile's are not used.
-    void configure(const ShadeRegisters<P>& registers) { registers_ = registers; }
+    /// Sets the registers. Lights beyond the profile's are not used. `bumped`: vertices have N'.
+    void configure(const ShadeRegisters<P>& registers, bool bumped = false);
 
     /// Step 1, in the format `normal`; zero at the eye.
     Vec3<V> view_vector(const Vec3<V>& displaced);
@@ -91,6 +81,15 @@ public:
     /// N' of `bump` in the format `normal`, which has as many fraction bits or more: exact.
     Vec3<V> widened(const Vec3<V>& displaced_normal) const;
 
+    /// Colours a vertex that has P' and N' or, without `bump`, N.
+    void operator()(Vertex<P>& vertex);
+
+    /// Colours the new vertices of the edges that are split.
+    void run(Span<Edge<P>> edges);
+
+    /// Colours the vertices of the fine mesh.
+    void run(FineVertices<P>& batch);
+
     const ShadeCounters& counters() const { return counters_; }
     void reset() { counters_ = {}; }
 
@@ -99,7 +98,9 @@ private:
     /// a' of step 2.
     V corrected(typename P::Wide a, typename P::Wide q);
 
-    int lights_;
+    int lights_;   // that the unit has
+    int lit_ = 0;  // of these, up to the last one that has a colour: the others add nothing
+    bool bumped_ = false;
     int view_bits_;  // of a vector before its normalisation
     int widening_;   // fraction bits from displaced_normal to normal
     int cosine_frac_;

@@ -1,13 +1,15 @@
 `default_nettype none
 
 // Phong's illumination at a vertex: ambient light, and for each directional light a diffuse part
-// and a highlight. N and V have unit length; V comes from `normalise`.
+// and a highlight.
 //
-// Stages 0 and 1: N.V and N.N, and each light's cosines. Stage 2: N.V (2 - N.N), which makes up
-// for the rounded length of N, and the side of a two-sided surface. Stages 3 to 11: the lights
-// (shade_light). Stage 12: their sum with the ambient light, rounded and saturated.
+// V stages: the view vector (shade_view), during which N waits. Behind them, stages 0 and 1: N.V
+// and N.N, and each light's cosines. Stage 2: N.V (2 - N.N), which makes up for the rounded length
+// of N, and the side of a two-sided surface. Stages 3 to 11: the lights (shade_light). Stage 12:
+// their sum with the ambient light, rounded and saturated.
 //
-// Time: latency 13, one vertex a cycle, in_ready follows out_ready.
+// Time: latency 32 (CORDIC: 3 (NORMAL_FRAC + 5) + 19), one vertex a cycle, in_ready follows
+// out_ready.
 module shade #(
 `include "rtl/units/shade_params.svh"
 ) (
@@ -15,6 +17,9 @@ module shade #(
     input  wire                            rst_n,          // synchronous, low
 
     // Registers, stable while vertices are in the unit. Of vectors, light 0 is in the low bits.
+    input  wire signed [POSITION_WIDTH-1:0] eye_x,
+    input  wire signed [POSITION_WIDTH-1:0] eye_y,
+    input  wire signed [POSITION_WIDTH-1:0] eye_z,
     input  wire [LIGHT_WIDTH-1:0]          ambient_red,
     input  wire [LIGHT_WIDTH-1:0]          ambient_green,
     input  wire [LIGHT_WIDTH-1:0]          ambient_blue,
@@ -32,12 +37,12 @@ module shade #(
 
     input  wire                            in_valid,
     output wire                            in_ready,
+    input  wire signed [POSITION_WIDTH-1:0] p_x,           // P'
+    input  wire signed [POSITION_WIDTH-1:0] p_y,
+    input  wire signed [POSITION_WIDTH-1:0] p_z,
     input  wire signed [NORMAL_WIDTH-1:0]  n_x,            // N or N'
     input  wire signed [NORMAL_WIDTH-1:0]  n_y,
     input  wire signed [NORMAL_WIDTH-1:0]  n_z,
-    input  wire signed [NORMAL_WIDTH-1:0]  v_x,            // V, towards the eye
-    input  wire signed [NORMAL_WIDTH-1:0]  v_y,
-    input  wire signed [NORMAL_WIDTH-1:0]  v_z,
 
     output wire                            out_valid,
     input  wire                            out_ready,
@@ -52,10 +57,16 @@ module shade #(
     localparam integer TW = LW + CW + 2;   // a light's part
     localparam integer SW = TW + 5;        // eight of these, the ambient light, a sign
 
-    wire [12:0] load;
-    wire        unused_data;
+    // Stages of the normalisation, and of the view vector.
+    localparam integer BOUND = (NORMAL_FRAC < 4) ? 4 : (NORMAL_FRAC > 18) ? 18 : NORMAL_FRAC;
+    localparam integer L     = (NORMALISE_KIND == 0) ? 16 : 3 * (BOUND + 5) + 3;
+    localparam integer V     = L + 3;
 
-    rp_pipe #(.W(1), .L(13)) stages (
+    wire [V+12:0] all_load;
+    wire [12:0]   load = all_load[V +: 13];
+    wire          unused_data;
+
+    rp_pipe #(.W(1), .L(V + 13)) stages (
         .clk      (clk),
         .rst_n    (rst_n),
         .in_valid (in_valid),
@@ -64,12 +75,24 @@ module shade #(
         .out_valid(out_valid),
         .out_ready(out_ready),
         .out_data (unused_data),
-        .load     (load)
+        .load     (all_load)
+    );
+
+    wire [3*NW-1:0] normal, view;
+
+    shade_view #(
+        .PW(POSITION_WIDTH), .VW(UNNORMALISED_WIDTH), .NW(NW), .NF(NORMAL_FRAC),
+        .KIND(NORMALISE_KIND), .INDEX_BITS(INVERSE_SQRT_INDEX_BITS),
+        .NEWTON_STEPS(INVERSE_SQRT_NEWTON_STEPS), .BITS(INVERSE_SQRT_BITS), .L(L)
+    ) to_the_eye (
+        .clk(clk), .load(all_load[V-1:0]), .eye({eye_z, eye_y, eye_x}), .place({p_z, p_y, p_x}),
+        .view(view)
+    );
+    rp_delay #(.W(3 * NW), .L(V)) delay (
+        .clk(clk), .load(all_load[V-1:0]), .in_data({n_z, n_y, n_x}), .out_data(normal)
     );
 
     // Stages 0 and 1.
-    wire [3*NW-1:0]      normal = {n_z, n_y, n_x};
-    wire [3*NW-1:0]      view   = {v_z, v_y, v_x};
     wire signed [CW-1:0] a1, q1;
 
     shade_dot #(.NW(NW), .NF(NORMAL_FRAC), .CW(CW), .CF(CF)) with_view (

@@ -18,6 +18,9 @@ using Rgb = Colour<int32_t>;
 /// port stand last to first.
 template <class AnyRegisters, class Visit>
 void visit_registers(AnyRegisters& r, int lights, const Visit& visit) {
+    visit(r.eye.x);
+    visit(r.eye.y);
+    visit(r.eye.z);
     visit(r.ambient.red);
     visit(r.ambient.green);
     visit(r.ambient.blue);
@@ -57,8 +60,7 @@ public:
         outputs.clear();
         for (std::size_t i = 0; i < scenario.inputs.size(); i += inputs()) {
             const auto word = [&](std::size_t k) { return int32_t(scenario.inputs[i + k]); };
-            const Rgb c =
-                unit_.illuminate({word(0), word(1), word(2)}, {word(3), word(4), word(5)});
+            const Rgb c = unit_({word(0), word(1), word(2)}, {word(3), word(4), word(5)});
             outputs.insert(outputs.end(), {c.red, c.green, c.blue});
         }
     }
@@ -67,9 +69,11 @@ public:
         return make_shade_model(profile);
     }
 
-    /// Components of four bits: every normal against every view vector, under one light.
+    /// Components of four bits: every normal in every place, under one light.
     Profile tiny_profile() const override {
         Profile tiny = profile();
+        tiny.position.width = 4, tiny.position.frac = 0;
+        tiny.unnormalised.width = 7, tiny.unnormalised.frac = 4;
         tiny.normal.width = 4, tiny.normal.frac = 2;
         tiny.cosine.width = 7, tiny.cosine.frac = 5;
         tiny.light.width = 5, tiny.light.frac = 4;
@@ -93,8 +97,17 @@ private:
                         [&](const auto& member) { s.config.push_back(member); });
         return s;
     }
-    static void add(Scenario& s, const Vector& n, const Vector& v) {
-        s.inputs.insert(s.inputs.end(), {n.x, n.y, n.z, v.x, v.y, v.z});
+    static void add_at(Scenario& s, const Vector& p, const Vector& n) {
+        s.inputs.insert(s.inputs.end(), {p.x, p.y, p.z, n.x, n.y, n.z});
+    }
+    /// With the eye at the origin: a vertex that sees it in direction v.
+    void add(Scenario& s, const Vector& n, const Vector& v) const {
+        add_at(s, {place(-v.x), place(-v.y), place(-v.z)}, n);
+    }
+    /// The nearest position that the format has.
+    int32_t place(int64_t x) const {
+        return static_cast<int32_t>(
+            std::clamp(x, profile().position.min_raw(), profile().position.max_raw()));
     }
     Vector unit_vector(double x, double y, double z) const {
         const double scale = std::ldexp(1.0, profile().normal.frac) / std::hypot(x, y, z);
@@ -122,18 +135,47 @@ private:
         return r;
     }
 
+    std::vector<Scenario> view_cases() const;
+
     Shade<Fixed> unit_;
 };
 
-std::vector<Scenario> ShadeModel::hard_cases() const {
+// The way from the vertex to the eye, of every length that positions can be apart.
+std::vector<Scenario> ShadeModel::view_cases() const {
     std::vector<Scenario> cases;
+    const Vector up{0, 0, one()};
+    Registers r = from_above(white() / 4, white() / 2, 20);
+    cases.push_back(scenario("every_distance", r));
+    for (int bits = 0; bits < profile().position.width; ++bits) {
+        for (const int64_t sign : {1, -1}) {
+            const int64_t d = sign * ((int64_t{1} << bits) + bits % 3 - 1);
+            add_at(cases.back(), {place(d / 5), place(d / 3), place(-d)}, up);
+        }
+    }
+    // Differences one bit longer than a position, and the longest negative one, -2^width + 1.
+    for (const bool low : {false, true}) {
+        const int32_t here = place(low ? INT64_MIN : INT64_MAX);
+        const int32_t there = place(low ? INT64_MAX : INT64_MIN);
+        r.eye = {here, there, here};
+        cases.push_back(scenario("across_the_world", r));
+        for (const int32_t x : {here, there, 0}) {
+            for (const int32_t y : {here, there, 0}) {
+                add_at(cases.back(), {x, y, there}, up);
+            }
+        }
+    }
+    return cases;
+}
+
+std::vector<Scenario> ShadeModel::hard_cases() const {
+    std::vector<Scenario> cases = view_cases();
     const Vector up{0, 0, one()}, down{0, 0, -one()}, east{one(), 0, 0};
 
     // The highlight's whole profile: V turns away from the mirrored light.
     for (const int n : {1, 2, 3, 10, 64, 127, 128, 255}) {
         cases.push_back(scenario("every_exponent", from_above(white() / 4, white() / 2, n)));
-        for (int i = 0; i <= 48; ++i) {
-            const double angle = 1.5707963 * i * i / (48.0 * 48.0);
+        for (int i = 0; i <= 32; ++i) {
+            const double angle = 1.5707963 * i * i / (32.0 * 32.0);
             add(cases.back(), up, unit_vector(std::sin(angle), 0, std::cos(angle)));
         }
     }
@@ -195,6 +237,25 @@ std::vector<Scenario> ShadeModel::hard_cases() const {
 // Half of the normals lie near the mirror's position for the first light, where powers are large.
 Scenario ShadeModel::random(Random& random, std::size_t count) const {
     Registers r;
+    // The eye and what it sees stay in the inner half of the world, but for some of each.
+    const int reach = profile().position.width - 2;
+    const auto anywhere = [&] {
+        const auto c = [&] {
+            return static_cast<int32_t>(
+                random.between(profile().position.min_raw(), profile().position.max_raw()));
+        };
+        const int32_t x = c(), y = c();
+        return Vector{x, y, c()};
+    };
+    r.eye = anywhere();
+    if (random.percent(80)) r.eye = {r.eye.x / 4, r.eye.y / 4, r.eye.z / 4};
+    const auto seen_from = [&](const Vector& v) {
+        const int distance = static_cast<int>(random.between(0, reach));
+        const auto c = [&](int64_t eye, int64_t x) {
+            return place(eye - (x << distance >> profile().normal.frac));
+        };
+        return Vector{c(r.eye.x, v.x), c(r.eye.y, v.y), c(r.eye.z, v.z)};
+    };
     const auto colour = [&] {
         const int bits = profile().light.width - 1;
         const auto c = [&] { return static_cast<int32_t>(random.of_any_length(bits)); };
@@ -214,7 +275,8 @@ Scenario ShadeModel::random(Random& random, std::size_t count) const {
     s.inputs.reserve(count * inputs());
     for (std::size_t i = 0; i < count; ++i) {
         if (random.percent(5)) {
-            add(s, any_vector(random), any_vector(random));
+            const Vector p = anywhere();
+            add_at(s, p, any_vector(random));
             continue;
         }
         const Vector v = direction(random);
@@ -224,7 +286,7 @@ Scenario ShadeModel::random(Random& random, std::size_t count) const {
             const double part = 0.125 / (1 + random.below(8));
             n = unit_vector(v.x + l.x + part * n.x, v.y + l.y + part * n.y, v.z + l.z + part * n.z);
         }
-        add(s, n, v);
+        add_at(s, seen_from(v), n);
     }
     return s;
 }
@@ -235,11 +297,12 @@ Scenario ShadeModel::exhaustive(uint64_t portion) const {
     r.lights[0].direction = {int32_t(portion % 3) - 1, int32_t(portion / 3 % 3) - 1, 3};
     r.ambient = {int32_t(portion), 0, 1};
     r.two_sided = portion % 2 != 0;
+    r.eye = {int32_t(portion) - 8, int32_t(portion % 5), -int32_t(portion % 3)};
     Scenario s = scenario("exhaustive", r);
     s.inputs.reserve(inputs() << 20);
     for (uint32_t bits = 0; bits < 1U << 20; ++bits) {
         const auto nibble = [bits](int k) { return int32_t(bits >> (4 * k) & 15U) - 8; };
-        add(s, {nibble(0), nibble(1), int32_t(portion) - 8}, {nibble(2), nibble(3), nibble(4)});
+        add_at(s, {nibble(2), nibble(3), nibble(4)}, {nibble(0), nibble(1), int32_t(portion) - 8});
     }
     return s;
 }
