@@ -1,27 +1,22 @@
-// Camera, fill rule, clipping and the drawn picture.
+// Camera and the drawn picture. What covers which sample: fill_rule_test;
+// what a sample sees of a triangle: attributes_test.
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
 #include "testbench/host/mesh/procedural_mesh.h"
 #include "testbench/host/view/camera.h"
-#include "testbench/host/view/clip.h"
 #include "testbench/host/view/render.h"
+#include "testbench/tests/support/from_above.h"
 
 namespace repousse::host {
 namespace {
 
-CameraSettings from_above() {
-    CameraSettings camera;
-    camera.eye = {0.5, 0.5, 1.0};
-    camera.target = {0.5, 0.5, 0.0};
-    camera.up = {0.0, 1.0, 0.0};
-    camera.fov_deg = 2.0 * std::atan(0.5) * 180.0 / 3.14159265358979323846;
-    return camera;
-}
+using test::from_above;
 
 TEST(Camera, ProjectsKnownPoints) {
     const ViewProjection view = view_projection(from_above(), {200, 100});
@@ -52,84 +47,6 @@ TEST(Camera, IsTheReferenceCameraOfTheViewTestRow) {
     EXPECT_NEAR(s.x, 256 + 384 * glm::dot(p - camera.eye, right) / depth, 1e-9);
     EXPECT_NEAR(s.y, 256 - 384 * glm::dot(p - camera.eye, up) / depth, 1e-9);
     EXPECT_NEAR(s.w, depth, 1e-12);
-}
-
-/// Every pixel's centre under a watertight sheet is covered once, whatever its triangles.
-void expect_once(const Mesh& mesh, const CameraSettings& camera, const Viewport& viewport) {
-    const auto counts = coverage(mesh.positions, mesh.triangles, view_projection(camera, viewport),
-                                 viewport.width_px, viewport.height_px);
-    int wrong = 0;
-    for (const std::uint32_t count : counts) wrong += count != 1;
-    EXPECT_EQ(wrong, 0);
-}
-
-TEST(FillRule, AWatertightSheetCoversEachCentreOnce) {
-    // Vertices on pixel centres and corners: every centre is on some edge.
-    for (const int quads : {1, 2, 3, 8, 16, 50, 64}) {
-        Mesh mesh = make_grid(quads, quads);
-        CameraSettings camera = from_above();
-        camera.fov_deg *= 0.9999999;
-        expect_once(mesh, camera, {64, 64});
-        for (auto& t : mesh.triangles) std::swap(t[1], t[2]);  // from behind
-        expect_once(mesh, camera, {64, 64});
-    }
-    // Irregular sheets, larger than the picture. A shift of 0.2 of a quad cannot fold a triangle
-    // (h^2 - 4 j h - 4 j^2 > 0), but makes slivers.
-    std::mt19937 random(11);
-    for (int round = 0; round < 20; ++round) {
-        Mesh mesh = make_grid(60, 60, {1.8, 1.8});
-        for (glm::dvec3& p : mesh.positions) {
-            p -= glm::dvec3(0.4, 0.4, 0.0);
-            p.x += 0.006 * (static_cast<double>(random() % 2001) / 1000.0 - 1.0);
-            p.y += 0.006 * (static_cast<double>(random() % 2001) / 1000.0 - 1.0);
-        }
-        expect_once(mesh, from_above(), {97, 61});
-    }
-}
-
-TEST(FillRule, TopAndLeftEdgesAreInBottomAndRightOnesOut) {
-    // A square from the centre of pixel (0, 0) to that of (2, 2), as two triangles each way round.
-    const SnappedVertex a{128, 128}, b{640, 128}, c{640, 640}, d{128, 640};
-    int seen[4][4] = {};
-    auto visit = [&](int x, int y, const Weights& w) {
-        ++seen[y][x];
-        EXPECT_NEAR(w.a + w.b + w.c, 1.0, 1e-12);
-    };
-    rasterise(a, b, c, {0, 0, 4, 4}, visit);
-    rasterise(d, c, a, {0, 0, 4, 4}, visit);
-    for (int y = 0; y < 4; ++y) {
-        for (int x = 0; x < 4; ++x) EXPECT_EQ(seen[y][x], x < 2 && y < 2 ? 1 : 0);
-    }
-}
-
-TEST(FillRule, TheTestCanFail) {
-    Mesh mesh = make_grid(8, 8);
-    mesh.triangles.pop_back();
-    CameraSettings camera = from_above();
-    camera.fov_deg *= 0.9999999;
-    const auto counts =
-        coverage(mesh.positions, mesh.triangles, view_projection(camera, {64, 64}), 64, 64);
-    EXPECT_GT(std::count(counts.begin(), counts.end(), 0u), 10);
-}
-
-TEST(Clipping, AnEndlessPlaneThroughTheEyePlaneHasNoHoles) {
-    // The plane passes below the eye and behind it; all pixels below the horizon see it once.
-    Mesh mesh = make_grid(30, 30, {4000.0, 4000.0});
-    for (glm::dvec3& p : mesh.positions) p -= glm::dvec3(2000.0, 2000.0, 0.0);
-    CameraSettings camera;
-    camera.eye = {1.0, -3.0, 2.0};
-    camera.target = {2.0, 30.0, 2.0};
-    camera.far = 1e6;
-    camera.near = 0.1;
-    const auto counts =
-        coverage(mesh.positions, mesh.triangles, view_projection(camera, {120, 90}), 120, 90);
-    for (int y = 0; y < 90; ++y) {
-        for (int x = 0; x < 120; ++x) {
-            const std::uint32_t count = counts[static_cast<std::size_t>(y * 120 + x)];
-            const bool horizon = y >= 44 && y <= 46;
-            ASSERT_TRUE(horizon || count == (y < 44 ? 0u : 1u)) << x << " " << y << ": " << count;
-        }
-    }
 }
 
 RenderMesh sheet(double z) {
@@ -197,6 +114,68 @@ TEST(Render, WireframeDarkensEdgesOnlyAndTheSamePictureComesTwice) {
     const Picture bare = render({sheet(0.0)}, from_above(), {64, 64}, view, lights);
     EXPECT_LT(a.pixel(32, 10)[0], 0.6f * bare.pixel(32, 10)[0]);  // the middle edge
     EXPECT_EQ(a.pixel(20, 8)[0], bare.pixel(20, 8)[0]);           // inside a triangle
+}
+
+/// Lines of a receding strip of quads, some of it behind the eye, some near, some far.
+TEST(Render, WireframeShowsEdgesOfNearAndFarTrianglesAndNoHiddenOnes) {
+    const Mesh grid = make_grid(4, 8, {4.0, 40.0});
+    RenderMesh plain;
+    plain.positions = grid.positions;
+    plain.triangles = grid.triangles;
+    for (glm::dvec3& p : plain.positions) p -= glm::dvec3(2.0, 2.5, 0.0);
+    CameraSettings camera;
+    camera.eye = {0.13, 0.0, 1.5};
+    camera.target = {0.13, 4.0, 0.0};
+    const Viewport viewport{320, 240};
+    const ViewProjection projection = view_projection(camera, viewport);
+    ViewSettings view = plain_view();
+    const std::vector<Light> lights{{{0.0, 0.0, 1.0}, {1.0, 1.0, 1.0}}};
+    const Picture bare = render({plain}, camera, viewport, view, lights);
+    view.wireframe = true;
+    const Picture wired = render({plain}, camera, viewport, view, lights);
+    const auto ratio = [&](const glm::dvec3& p) {
+        const ScreenPoint s = projection.project(p);
+        const int x = static_cast<int>(s.x), y = static_cast<int>(s.y);
+        const bool is_seen = s.w > camera.near && s.x > 2 && s.x < 318 && s.y > 2 && s.y < 238;
+        // The border of the strip may be background, which is black.
+        return is_seen && bare.pixel(x, y)[1] > 0.0f ? wired.pixel(x, y)[1] / bare.pixel(x, y)[1]
+                                                     : -1.0f;
+    };
+    int edges = 0, behind = 0, insides = 0;
+    for (const auto& t : plain.triangles) {
+        const glm::dvec3 &a = plain.positions[t[0]], &b = plain.positions[t[1]];
+        const glm::dvec3& c = plain.positions[t[2]];
+        bool crosses = false;
+        for (const glm::dvec3& p : {a, b, c}) crosses = crosses || projection.project(p).w <= 0.0;
+        const double far = projection.project((a + b + c) / 3.0).w;
+        for (double along = 0.05; along < 1.0; along += 0.1) {
+            for (const auto& [p, q] : {std::pair{a, b}, {b, c}, {c, a}}) {
+                const float dark = ratio(glm::mix(p, q, along));
+                if (dark < 0.0f || far > 8.0) continue;
+                EXPECT_LT(dark, 0.75f) << glm::mix(p, q, along).y;
+                ++edges;
+                behind += crosses;
+            }
+        }
+        const float inside = ratio((a + b + c) / 3.0);
+        if (inside < 0.0f || far > 6.0) continue;
+        EXPECT_EQ(inside, 1.0f);
+        ++insides;
+    }
+    EXPECT_GT(edges, 200);
+    EXPECT_GT(behind, 10) << "no triangle reached behind the eye";
+    EXPECT_GT(insides, 3);
+    // Far away the lines come together; the surface darkens there, but is not blotted out.
+    const ScreenPoint far = projection.project({0.1, 36.9, 0.0});
+    const int x = static_cast<int>(far.x), y = static_cast<int>(far.y);
+    EXPECT_GT(wired.pixel(x, y)[1], 0.3f * bare.pixel(x, y)[1]);
+    // A lid of one quad hides the lines below it.
+    RenderMesh lid = sheet(0.0);
+    for (glm::dvec3& p : lid.positions) p = {10.0 * p.x - 5.0, 60.0 * p.y - 5.0, 0.2};
+    RenderMesh none = plain;
+    none.triangles.clear();
+    EXPECT_EQ(render({plain, lid}, camera, viewport, view, lights).rgb,
+              render({none, lid}, camera, viewport, view, lights).rgb);
 }
 
 TEST(Render, ACameraInsideTheMeshIsNoError) {

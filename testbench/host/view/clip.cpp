@@ -90,27 +90,4 @@ SnappedVertex snap(const ViewProjection& view, const ClipVertex& v, int samples)
             static_cast<std::int64_t>(std::floor(y * scale + 0.5))};
 }
 
-std::vector<std::uint32_t> coverage(const std::vector<glm::dvec3>& positions,
-                                    const std::vector<std::array<std::uint32_t, 3>>& triangles,
-                                    const ViewProjection& view, int width, int height) {
-    std::vector<std::uint32_t> counts(static_cast<std::size_t>(width) *
-                                      static_cast<std::size_t>(height));
-    const PixelBox box{0, 0, width, height};
-    for (const auto& t : triangles) {
-        const ClipPolygon polygon =
-            clip_triangle(view, clip_vertex(view, positions[t[0]]),
-                          clip_vertex(view, positions[t[1]]), clip_vertex(view, positions[t[2]]));
-        for (int k = 2; k < polygon.count; ++k) {
-            const auto at = [&](int i) {
-                return snap(view, polygon.corners[static_cast<std::size_t>(i)], 1);
-            };
-            rasterise(at(0), at(k - 1), at(k), box, [&](int x, int y, const Weights&) {
-                ++counts[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                         static_cast<std::size_t>(x)];
-            });
-        }
-    }
-    return counts;
-}
-
 }  // namespace repousse::host

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
 #include <glm/vec3.hpp>
 
@@ -35,11 +34,5 @@ ClipPolygon clip_triangle(const ViewProjection& view, const ClipVertex& a, const
 
 /// Snapped screen position, on a picture whose pixels are split into samples x samples.
 SnappedVertex snap(const ViewProjection& view, const ClipVertex& vertex, int samples);
-
-/// How many triangles cover each pixel's centre when drawn without a depth test (row-major); for
-/// tests and for counting overdraw.
-std::vector<std::uint32_t> coverage(const std::vector<glm::dvec3>& positions,
-                                    const std::vector<std::array<std::uint32_t, 3>>& triangles,
-                                    const ViewProjection& view, int width, int height);
 
 }  // namespace repousse::host

@@ -23,6 +23,9 @@ struct Picture {
 double srgb_to_linear(double value);
 double linear_to_srgb(double value);
 
+/// A channel of linear light as an 8-bit sRGB code; what is beyond 0..1 saturates.
+std::uint8_t to_srgb8(double linear);
+
 /// The picture as 8-bit sRGB, 3 bytes a pixel.
 std::vector<std::uint8_t> to_srgb8(const Picture& picture);
 

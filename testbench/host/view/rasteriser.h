@@ -51,13 +51,19 @@ struct EdgeFunction {
     }
 };
 
+/// Twice the area of a triangle, positive if it is clockwise on a screen whose y runs down.
+inline std::int64_t doubled_area(const SnappedVertex& a, const SnappedVertex& b,
+                                 const SnappedVertex& c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
 /// Visits every pixel of `box` whose centre is inside the triangle (a, b, c), of either
 /// orientation: visit(x, y, weights). Centres on an edge belong to the triangle of which it is a
 /// top or left edge, so triangles that share an edge cover each centre once and leave none out.
 template <class Visit>
 void rasterise(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& c,
                const PixelBox& box, Visit&& visit) {
-    const std::int64_t area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    const std::int64_t area = doubled_area(a, b, c);
     if (area == 0) return;
     const bool flipped = area < 0;
     const SnappedVertex& p = flipped ? c : b;

@@ -20,31 +20,34 @@ constexpr int kShadowCells = 2048;
 /// One triangle of one mesh, found again from a sample.
 struct Surface {
     const RenderMesh* mesh;
-    std::uint32_t first;                 // number of its first triangle
-    std::vector<ScreenPoint> on_screen;  // of its vertices, for the wireframe
+    std::uint32_t first;                // number of its first triangle
+    std::vector<glm::dvec3> on_screen;  // of its vertices, for the wireframe: (x w, y w, w), pixels
 };
 
-/// How dark the wireframe is at a point: 1 on an edge, 0 from a pixel away, faint where triangles
-/// are so small that their lines would merge. `b` are the corner weights.
-double wire_strength(const ScreenPoint (&p)[3], const glm::dvec3& b) {
-    const double total = b.x * p[0].w + b.y * p[1].w + b.z * p[2].w;
-    const double area =
-        std::fabs((p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x));
+/// How dark the wireframe is at a point: 1 on an edge, 0 from a pixel away. Where triangles are so
+/// small that their lines would merge, the lines fade, down to a grey that still says how dense the
+/// mesh is. `b` are the corner weights at the point.
+///
+/// In homogeneous coordinates the line through two vertices is their cross product, wherever they
+/// are; so a triangle that reaches behind the eye has its edges drawn like any other.
+double wire_strength(const glm::dvec3 (&p)[3], const glm::dvec3& b) {
+    const double w = b.x * p[0].z + b.y * p[1].z + b.z * p[2].z;
+    const double volume = std::fabs(glm::dot(p[0], glm::cross(p[1], p[2])));
     double nearest = 1e9;
     double lowest = 1e9;
     for (int k = 0; k < 3; ++k) {
-        const ScreenPoint& q = p[(k + 1) % 3];
-        const ScreenPoint& r = p[(k + 2) % 3];
-        if (q.w <= 0.0 || p[k].w <= 0.0) return 0.0;
-        const double length = std::hypot(r.x - q.x, r.y - q.y);
-        if (!(length > 0.0)) return 0.0;
-        // The screen weight of corner k times its altitude is the distance from the edge opposite.
-        const double altitude = area / length;
-        nearest = std::min(nearest, b[k] * p[k].w / total * altitude);
+        const glm::dvec3 line = glm::cross(p[(k + 1) % 3], p[(k + 2) % 3]);
+        const double scale = w * std::hypot(line.x, line.y);
+        if (!(scale > 0.0)) return 0.0;
+        // The point is b . p / w, and line . p is 0 at the line's own vertices: what is left of
+        // the distance |line . point| is the weight of corner k times this, its altitude on the
+        // screen (of a triangle across the view; in perspective, as steep as it is here).
+        const double altitude = volume / scale;
+        nearest = std::min(nearest, b[k] * altitude);
         lowest = std::min(lowest, altitude);
     }
-    const double line = std::clamp(1.15 - nearest, 0.0, 1.0);
-    return line * std::clamp((lowest - 1.0) / 7.0, 0.05, 1.0);
+    const double line = std::clamp(1.1 - nearest, 0.0, 1.0);
+    return line * std::clamp(lowest / 6.0, 0.2, 1.0);
 }
 
 class Painter {
@@ -57,7 +60,10 @@ public:
             Surface surface{&mesh, first, {}};
             if (view.wireframe && mesh.kind == RenderMesh::Kind::Surface) {
                 for (const glm::dvec3& p : mesh.positions) {
-                    surface.on_screen.push_back(projection.project(p));
+                    const ClipVertex v = clip_vertex(projection, p);
+                    surface.on_screen.emplace_back(
+                        projection.centre_x * v.w + projection.scale_x * v.x,
+                        projection.centre_y * v.w + projection.scale_y * v.y, v.w);
                 }
             }
             surfaces_.push_back(std::move(surface));
@@ -91,11 +97,13 @@ public:
         std::optional<double> height;
         if (!mesh.heights.empty()) height = mixed(mesh.heights);
         const glm::dvec3 colour =
-            shader_.shade(position, normal, shader_.albedo(height), view_.tint == Tint::Plain);
+            mesh.colours.empty()
+                ? shader_.shade(position, normal, shader_.albedo(height), view_.tint == Tint::Plain)
+                : mixed(mesh.colours);
         if (surfaces_[s].on_screen.empty()) return colour;
         const auto& screen = surfaces_[s].on_screen;
         const double wire = wire_strength({screen[t[0]], screen[t[1]], screen[t[2]]}, b);
-        return glm::mix(colour, colour * 0.15 + glm::dvec3(0.005, 0.006, 0.008), 0.75 * wire);
+        return glm::mix(colour, colour * 0.1 + glm::dvec3(0.005, 0.006, 0.008), 0.85 * wire);
     }
 
     std::vector<Piece> pieces;

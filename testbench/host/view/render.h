@@ -13,7 +13,9 @@ namespace repousse::host {
 /// perspective-correct; each pixel has samples x samples depth samples and is shaded once per
 /// triangle that holds some of them. The same input gives the same picture.
 ///
-/// Surfaces without normals get area-weighted ones, or one a face with Shading::Flat.
+/// Surfaces that have colours are drawn with these, interpolated: no light, tint or shadow of the
+/// view falls on them. Surfaces without normals get area-weighted ones, or one a face with
+/// Shading::Flat.
 Picture render(const std::vector<RenderMesh>& surfaces, const CameraSettings& camera,
                const Viewport& viewport, const ViewSettings& view,
                const std::vector<Light>& lights);

@@ -8,7 +8,7 @@
 
 namespace repousse::host {
 
-/// A surface to be drawn. `normals` and `heights` are as long as `positions` or empty.
+/// A surface to be drawn. `normals`, `heights` and `colours` are as long as `positions` or empty.
 struct RenderMesh {
     /// How light treats it.
     enum class Kind {
@@ -21,6 +21,7 @@ struct RenderMesh {
     std::vector<glm::dvec3> positions;
     std::vector<glm::dvec3> normals;  ///< unit; empty = one normal a face
     std::vector<double> heights;      ///< 0..1, for Tint::Relief; empty = plain
+    std::vector<glm::dvec3> colours;  ///< linear light towards the eye; empty = lit by the view
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 

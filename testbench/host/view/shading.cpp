@@ -12,15 +12,6 @@
 namespace repousse::host {
 namespace {
 
-glm::dvec3 to_linear(const glm::dvec3& srgb) {
-    // Lights may be brighter than 1; only the part up to 1 is an sRGB code.
-    glm::dvec3 linear;
-    for (int k = 0; k < 3; ++k) {
-        linear[k] = srgb[k] <= 1.0 ? srgb_to_linear(srgb[k]) : srgb[k];
-    }
-    return linear;
-}
-
 struct RampStop {
     double height;
     glm::dvec3 srgb;
@@ -35,6 +26,14 @@ const std::array<RampStop, 7> kRamp{{{0.00, {0.36, 0.47, 0.34}},
                                      {1.00, {0.96, 0.95, 0.93}}}};
 
 }  // namespace
+
+glm::dvec3 to_linear(const glm::dvec3& srgb) {
+    glm::dvec3 linear;
+    for (int k = 0; k < 3; ++k) {
+        linear[k] = srgb[k] <= 1.0 ? srgb_to_linear(srgb[k]) : srgb[k];
+    }
+    return linear;
+}
 
 glm::dvec3 relief_colour(double height) {
     const double h = std::clamp(height, 0.0, 1.0);

@@ -8,6 +8,9 @@
 
 namespace repousse::host {
 
+/// A scene's colour in linear light: sRGB up to 1, linear already above, as bright lights are.
+glm::dvec3 to_linear(const glm::dvec3& srgb);
+
 /// The colour ramp of Tint::Relief at a height of 0..1, in linear light: meadow, sage, straw,
 /// ochre, rock, snow.
 glm::dvec3 relief_colour(double height);

@@ -54,4 +54,21 @@ void add_pieces(std::vector<Piece>& pieces, const RenderMesh& mesh, std::uint32_
     }
 }
 
+std::vector<FillCount> count_fills(const std::vector<Piece>& pieces, int width, int height) {
+    std::vector<FillCount> counts(static_cast<std::size_t>(width) *
+                                  static_cast<std::size_t>(height));
+    for (const Piece& piece : pieces) {
+        // Rows run downwards, so what is counter-clockwise to the eye has a negative area.
+        const bool is_front = doubled_area(piece.at[0], piece.at[1], piece.at[2]) < 0;
+        const auto count = [&](int x, int y, const Weights&) {
+            FillCount& sample =
+                counts[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                       static_cast<std::size_t>(x)];
+            ++(is_front ? sample.front : sample.back);
+        };
+        rasterise(piece.at[0], piece.at[1], piece.at[2], {0, 0, width, height}, count);
+    }
+    return counts;
+}
+
 }  // namespace repousse::host

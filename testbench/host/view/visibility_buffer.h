@@ -52,4 +52,17 @@ private:
 void add_pieces(std::vector<Piece>& pieces, const RenderMesh& mesh, std::uint32_t first,
                 const ViewProjection& view, int samples);
 
+/// How many pieces cover a sample's centre when nothing is hidden.
+struct FillCount {
+    std::uint32_t front = 0;  ///< by pieces that run counter-clockwise in the picture
+    std::uint32_t back = 0;   ///< by those that run clockwise
+};
+
+/// Fill counts of all samples of a picture, row by row. With the fill rule, front - back is at
+/// every sample how often the mesh's rim winds around it: 0 for a closed mesh, 1 inside the rim of
+/// a sheet, however the sheet is folded; a sample covered twice or missed would differ.
+///
+/// @param width, height  of the picture in samples, as the pieces were made for
+std::vector<FillCount> count_fills(const std::vector<Piece>& pieces, int width, int height);
+
 }  // namespace repousse::host
