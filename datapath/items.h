@@ -28,6 +28,19 @@ inline bool operator==(const Vec3<V>& a, const Vec3<V>& b) {
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
+/// Linear light, in the format `colour` or `light`.
+template <class V>
+struct Colour {
+    V red{};
+    V green{};
+    V blue{};
+};
+
+template <class V>
+inline bool operator==(const Colour<V>& a, const Colour<V>& b) {
+    return a.red == b.red && a.green == b.green && a.blue == b.blue;
+}
+
 /// A displaced vertex on the screen, in pixels; `near` says that it is not in front of the near
 /// plane, so that x and y mean nothing.
 template <class V>
@@ -49,6 +62,7 @@ struct Vertex {
     Vec3<V> map_normal;        ///< N_D, as read from the map
     Vec3<V> displaced_normal;  ///< N', normalised
     ScreenPoint<V> screen;     ///< P' in pixels
+    Colour<V> colour;          ///< of P' in the scene's light
     int8_t handedness = 1;     ///< the bitangent is handedness * (N x T)
     uint8_t generation = 0;    ///< 0 for base vertices, max of the parents + 1 for midpoints
 };

@@ -156,6 +156,8 @@ Status check_growth(const Profile& p) {
         Rule{"unnormalised", 2 * p.unnormalised.width + 2, "a squared length"},
         Rule{"inverse_sqrt_bits", p.unnormalised.width + p.inverse_sqrt_bits + 1, "v / |v|"},
         Rule{"map_normal", p.normal.width + p.map_normal.width + 2, "T nx + B ny + N nz"},
+        Rule{"slope", p.normal.width + std::max(p.slope.width, p.slope.frac + 2) + 2,
+             "N - s_u T - s_v B"},
     };
     for (const Rule& rule : rules) {
         if (rule.bits > 63) {
@@ -182,6 +184,13 @@ Status check_growth(const Profile& p) {
     if (p.normal.frac < p.displaced_normal.frac || p.normal.frac < p.map_normal.frac) {
         return bad_value("normal", "fewer fraction bits than map_normal or displaced_normal",
                          "at least as many, so that one threshold serves both");
+    }
+    // A slope is a product of 42 bits, raised by its fraction bits.
+    if (p.slope.frac < 0 || p.slope.frac > 20) {
+        return bad_value("slope", "fraction bits out of range", range_text(0, 20));
+    }
+    if (p.angle.frac < 1 || p.angle.frac > 16) {
+        return bad_value("angle", "fraction bits out of range", range_text(1, 16));
     }
     if (p.uv.frac < 0 || p.uv.frac > 16) {
         return bad_value("uv", "fraction bits out of range", range_text(0, 16));

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "datapath/items.h"
+#include "datapath/map_view.h"
 
 namespace repousse {
 
@@ -136,6 +137,24 @@ struct PrimaryWalk {
     SweepVector base;  ///< Vbase at its start, where grid point and corner are one
 };
 
+/// How u c, v c and c change over one step. Of integers, half an LSB is the unit that makes it the
+/// change over half a step.
+template <class V>
+struct TexelStep {
+    V u{};
+    V v{};
+    V c{};
+};
+
+/// What footprints are made of: steps along the edges, counted from the end with the lower base
+/// vertex id, and inside along the sweep and the side axis of the grid.
+template <class V>
+struct TexelSteps {
+    std::array<TexelStep<V>, 3> edges;
+    TexelStep<V> sweep;
+    TexelStep<V> side;
+};
+
 /// The three forms of a triangle above its primary edge (figure 13).
 enum class SweepCase : uint8_t { Roof, Increasing, Decreasing };
 
@@ -156,8 +175,9 @@ struct SweepTriangle {
     std::array<PrimaryWalk, 2> walks;  ///< of each half; the second is unused if `continues`
     bool continues = false;            ///< the second half goes on where the first one ended
     std::array<SubTriangle, 2> halves;
-    SweepVector sweep_difference;  ///< one column in increasing sweep direction
-    SweepVector side_difference;   ///< one row up in the local frame
+    SweepVector sweep_difference;     ///< one column in increasing sweep direction
+    SweepVector side_difference;      ///< one row up in the local frame
+    TexelSteps<int32_t> texel_steps;  ///< set only where footprints are wanted
 };
 
 /// A vertex on its way out: its name and its data, rounded, still multiplied by 1/w. Components
@@ -177,6 +197,7 @@ struct FineVertex {
     Vec3<V> normal;            ///< normalised after interpolation (equation 1)
     Vec3<V> tangent;           ///< normalised; unused without bump
     int8_t handedness = 1;     ///< the bitangent is handedness * (N x T)
+    LevelRead read;            ///< of the displacement map; the default without filter levels
     Vec3<V> displaced;         ///< P' = P + D N
     Vec3<V> displaced_normal;  ///< N'; unused without bump
 };
@@ -188,7 +209,19 @@ struct SweepOutputVertex {
     Uv uv;                                     ///< texels
     Vec3<typename P::Value> displaced;         ///< P'
     Vec3<typename P::Value> displaced_normal;  ///< N'; zero without bump
+    Colour<typename P::Value> colour{};        ///< zero without shade
 };
+
+/// A triangle of the fine mesh as it leaves: its vertices by their numbers, in the order in which
+/// vertices have left since the draw began.
+struct FineTriangle {
+    uint32_t base = 0;  ///< base triangle
+    std::array<uint32_t, 3> vertices{};
+};
+
+inline bool operator==(const FineTriangle& a, const FineTriangle& b) {
+    return a.base == b.base && a.vertices == b.vertices;
+}
 
 /// Where a base triangle goes (Gumhold and Huettner 2.2).
 enum class Route : uint8_t {

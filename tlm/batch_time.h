@@ -39,7 +39,7 @@ public:
     Span<const UnitBusy> rows() const { return {rows_.data(), count_}; }
 
 private:
-    std::array<UnitBusy, 24> rows_{};  // a device has twenty units
+    std::array<UnitBusy, 32> rows_{};  // more than a device has units
     std::size_t count_ = 0;
 };
 

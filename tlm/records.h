@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "datapath/items.h"
 #include "datapath/numbers/policy.h"
@@ -35,34 +37,37 @@ enum SweepFlag : uint32_t {
     kDirect = 1,  ///< not displaced
 };
 
-/// A finished triangle.
+/// A finished triangle of adaptive tessellation.
 struct OutputRecord {
     struct Corner {
         std::array<int32_t, 2> uv;
         std::array<int32_t, 3> displaced;
         std::array<int32_t, 3> displaced_normal;
-        uint32_t tag;  ///< adaptive: the generation; sweep: the name, pack_name()
+        std::array<int32_t, 3> colour;  ///< red, green, blue; 0 without shade
+        uint32_t generation;
     };
     uint32_t base;   ///< index of the base triangle
-    uint32_t depth;  ///< adaptive: digits of the path
+    uint32_t depth;  ///< digits of the path
     std::array<uint64_t, 2> digits;
     std::array<Corner, 3> corners;
 };
-static_assert(sizeof(OutputRecord) == 136);
+static_assert(sizeof(OutputRecord) == 168);
 
-/// A vertex's name in a word: kind, part, a, b from the top; 2, 2, 14 and 14 bits. Steps of an edge
-/// are below 8192 and grid coordinates s14, so nothing is lost.
-uint32_t pack_name(const VertexName& name);
-VertexName unpack_name(uint32_t word);
+/// What sweep-line remeshing writes: vertices of the fine mesh; and triangles, which refer to
+/// vertices by how many have been written before them in the frame. Both as the datapath has them.
+using FineRecord = SweepOutputVertex<Fixed>;
+static_assert(sizeof(FineRecord) == 52 && std::is_trivially_copyable_v<FineRecord>);
+static_assert(sizeof(VertexName) == 6 && offsetof(VertexName, a) == 2);
+static_assert(offsetof(FineRecord, uv) == 8 && offsetof(FineRecord, displaced) == 16 &&
+              offsetof(FineRecord, displaced_normal) == 28 && offsetof(FineRecord, colour) == 40);
+using FineTriangleRecord = FineTriangle;
+static_assert(sizeof(FineTriangleRecord) == 16);
 
 VertexRecord record_of(const Vertex<Fixed>& vertex);
 SweepRecord record_of(const SweepBase<Fixed>& base);
 OutputRecord record_of(const OutputTriangle<Fixed>& triangle);
-OutputRecord::Corner corner_of(const SweepOutputVertex<Fixed>& vertex);
-OutputRecord::Corner corner_of(const FineVertex<Fixed>& vertex);
 
 Vertex<Fixed> vertex_of(const VertexRecord& record);
 void read_record(const OutputRecord& record, OutputTriangle<Fixed>& triangle);
-void read_record(const OutputRecord& record, SweepOutput<Fixed>& triangle);
 
 }  // namespace repousse::shell

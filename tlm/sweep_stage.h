@@ -4,12 +4,14 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "datapath/fine_vertices.h"
 #include "datapath/items.h"
 #include "datapath/numbers/policy.h"
 #include "datapath/span.h"
 #include "datapath/sweep_items.h"
 #include "datapath/units/grid_transform.h"
 #include "datapath/units/sweep_line.h"
+#include "datapath/units/triangle_buffer.h"
 #include "tlm/records.h"
 #include "tlm/stage.h"
 
@@ -22,8 +24,9 @@ namespace repousse::shell {
 /// cache.
 inline constexpr std::size_t kBatchBases = 32;
 
-/// Steps of the sweep line in a batch; they may belong to several base triangles. Their vertices,
-/// one to two each, stay close to the first-level cache.
+/// Most steps of the sweep line in a batch, which may belong to several base triangles. It ends
+/// before when its vertices, one to two each, might be more than FineVertices holds: these stay
+/// close to the first-level cache.
 inline constexpr std::size_t kBatchSweepSteps = 64;
 
 /// A base vertex on the grid.
@@ -57,38 +60,40 @@ struct BaseBatch {
 struct FinePiece {
     uint32_t base = 0;
     uint32_t steps = 0;
+    uint32_t vertices = 0;
     bool last = false;     ///< the base triangle is complete after them
     bool runaway = false;  ///< it was given up: what the strip holds of it is void
+    const TexelSteps<int32_t>* texel_steps = nullptr;  ///< the base triangle's; null: no vertices
 };
 
 /// Steps on their way to the triangle buffer. `vertices` are those of the steps, in their order.
 struct FineBatch {
     Span<const FinePiece> pieces;
     Span<const SweepStep> steps;
-    Span<FineVertex<Fixed>> vertices;
+    FineVertices<Fixed>& vertices;
 };
 
 using CornerCall = Call<CornerBatch>;
 using FineCall = Call<FineBatch>;
 
+/// An undisplaced triangle.
+using DirectTriangle = repousse::TriangleBuffer<FineRecord>::Direct;
+
 /// The triangle buffer as the controller sees it.
 class OrderSink : public virtual sc_core::sc_interface {
 public:
     virtual void expect(const OrderToken& token) = 0;
-    virtual void push_direct(const OutputRecord& triangle) = 0;
+    virtual void push_direct(const DirectTriangle& triangle) = 0;
 };
 
-/// Finished triangles of a base triangle, by the numbers of their vertices.
-struct StripBatch {
-    uint32_t base = 0;
-    Span<const std::array<uint32_t, 3>> triangles;
-    Span<const OutputRecord::Corner> vertices;
-};
-
-/// The triangle buffer as the stripping unit sees it.
-class TriangleSink : public virtual sc_core::sc_interface {
+/// The triangle buffer as the stripping unit sees it. Vertices and triangles are those of the base
+/// triangle that is under way.
+class FineSink : public virtual sc_core::sc_interface {
 public:
-    virtual void push(const StripBatch& batch) = 0;
+    /// Vertices first .. first + count - 1 of a batch. The number of the first one.
+    virtual uint32_t push(const FineVertices<Fixed>& batch, std::size_t first,
+                          std::size_t count) = 0;
+    virtual void push(uint32_t base, Span<const std::array<uint32_t, 3>> triangles) = 0;
     virtual void finish() = 0;  ///< the base triangle is complete
 };
 

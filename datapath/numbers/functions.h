@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -10,6 +11,10 @@ struct Scaled {
     std::int64_t mantissa = 0;
     int exponent = 0;
 };
+
+/// Most numbers in one batch. No power of two: arrays that lie behind each other would have their
+/// elements of one index in the same few places of a cache.
+inline constexpr std::size_t kFunctionBatch = 240;
 
 /// 1/x of a positive integer: leading-zero normalisation, a table of seeds, Newton's iteration, and
 /// one exact correction. Everything is integer; no product exceeds 64 bits, so the same widths do
@@ -35,6 +40,10 @@ public:
     /// exponent of x = 1: a value just below 2, larger than every other result.
     Scaled operator()(std::uint64_t x) const;
 
+    /// The same for n <= kFunctionBatch positive numbers below 2^31, to two arrays.
+    void operator()(const std::int32_t* x, std::size_t n, std::int32_t* mantissas,
+                    std::int32_t* exponents) const;
+
     /// True if the configuration has the properties listed above.
     bool converged() const { return index_bits_ << newton_steps_ > mantissa_bits_; }
 
@@ -43,6 +52,14 @@ public:
     const std::vector<std::uint32_t>& seeds() const { return seeds_; }
 
 private:
+    /// A number brought into [1/2, 1), and where the iteration starts.
+    struct Start {
+        std::uint32_t d;
+        std::int32_t y;
+        int shift;
+    };
+    Start start(std::uint64_t x) const;
+
     int index_bits_;
     int newton_steps_;
     int mantissa_bits_;
@@ -68,6 +85,10 @@ public:
     /// Mantissa and x = 0 as for Reciprocal.
     Scaled operator()(std::uint64_t x) const;
 
+    /// The same for n <= kFunctionBatch numbers, to two arrays. x = 0 gives what x = 1 does.
+    void operator()(const std::int64_t* x, std::size_t n, std::int32_t* mantissas,
+                    std::int32_t* exponents) const;
+
     /// True if the iteration's error is below half a unit of the mantissa.
     bool converged() const { return index_bits_ << newton_steps_ > mantissa_bits_; }
 
@@ -76,6 +97,14 @@ public:
     const std::vector<std::uint32_t>& seeds() const { return seeds_; }
 
 private:
+    /// A number brought into [1/4, 1), and where the iteration starts.
+    struct Start {
+        std::uint32_t d;
+        std::uint32_t y;
+        int shift;
+    };
+    Start start(std::uint64_t x) const;
+
     int index_bits_;
     int newton_steps_;
     int mantissa_bits_;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -11,6 +12,8 @@
 #include "datapath/numbers/functions.h"
 #include "datapath/numbers/log2.h"
 #include "datapath/numbers/power.h"
+#include "datapath/numbers/sine.h"
+#include "datapath/numbers/vector_clones.h"
 
 namespace repousse {
 
@@ -37,8 +40,52 @@ struct Fixed {
     static Value quantize(const Cast& cast, Wide x, uint64_t& overflows) {
         return static_cast<Value>(cast(x, overflows));
     }
+    /// The same for a batch: y[i] = quantize(cast, exact(i), overflows). Nothing that `exact` reads
+    /// may lie in y.
+    template <class Exact>
+    static void quantize(const Cast& shared, std::size_t n, Value* y, uint64_t& overflows,
+                         const Exact& exact) {
+        const Cast cast = shared;  // a store to y cannot change it
+        if (cast.kind() == CastKind::Clamp) {
+            const Wide low = cast.steps().low, high = cast.steps().high;
+            Wide outside = 0;  // negative if any value is
+            REPOUSSE_INDEPENDENT
+            for (std::size_t i = 0; i < n; ++i) {
+                const Wide wanted = cast.quantize<CastKind::Clamp>(exact(i));
+                outside |= (wanted - low) | (high - wanted);
+                y[i] = static_cast<Value>(wanted);
+            }
+            if (outside >= 0) return;
+        }
+        for (std::size_t i = 0; i < n; ++i) y[i] = quantize(cast, exact(i), overflows);
+    }
     static int32_t raw(Value x, int) { return x; }
     static Value limit(const Format& format) { return static_cast<Value>(format.max_raw()); }
+
+    /// (x + bias) >> right, made of a logical shift, which vector registers have for each of their
+    /// places.
+    struct Shift {
+        Shift() = default;
+        /// Half up. Of 62 bits nothing is left after 63, as with more.
+        explicit Shift(int bits)
+            : right(static_cast<uint64_t>(bits < 0    ? 0
+                                          : bits > 63 ? 63
+                                                      : bits)),
+              bias(kTop + ((uint64_t{1} << right) >> 1)),
+              below(kTop >> right) {}
+        Wide operator()(Wide x) const {
+            return static_cast<Wide>(((static_cast<uint64_t>(x) + bias) >> right) - below);
+        }
+
+        static constexpr uint64_t kTop = uint64_t{1} << 63;
+        uint64_t right = 0, bias = kTop, below = kTop;
+    };
+
+    /// A batch of vectors, one array a component, and the same to be written.
+    struct Columns {
+        std::array<const Value*, 3> from;
+        std::array<Value*, 3> to;
+    };
 
     /// One prepared cast for each exponent that a closed function can return: the rounding after
     /// a data-dependent shift. 64 shifts cover every 64-bit product.
@@ -51,6 +98,10 @@ struct Fixed {
         Value operator()(Wide x, int exponent, uint64_t& overflows) const {
             return quantize(casts_[static_cast<std::size_t>(exponent)], x, overflows);
         }
+        /// A batch of n <= kFunctionBatch vectors, each times a mantissa and cast by an exponent.
+        /// `to` is not `from`.
+        void operator()(const Columns& vectors, const int32_t* mantissas, const int32_t* exponents,
+                        std::size_t n) const;
 
     private:
         std::array<Cast, 64> casts_{};
@@ -77,6 +128,8 @@ struct Fixed {
                     round_(mul(v.y, s.mantissa), s.exponent, saturated),
                     round_(mul(v.z, s.mantissa), s.exponent, saturated)};
         }
+        /// A batch of n <= kFunctionBatch vectors. `to` is not `from`.
+        void operator()(const Columns& vectors, std::size_t n, uint64_t& degenerate) const;
 
     private:
         NormaliseKind kind_;
@@ -106,6 +159,12 @@ struct Fixed {
     static Inverse invert(const Reciprocal& reciprocal, Value c) {
         return reciprocal(static_cast<uint64_t>(c));
     }
+    struct Inverses {
+        std::array<int32_t, kFunctionBatch> mantissas, exponents;
+    };
+    static void invert(const Reciprocal& reciprocal, const Value* c, std::size_t n, Inverses& out) {
+        reciprocal(c, n, out.mantissas.data(), out.exponents.data());
+    }
 
     /// v * (1/c), 32 x 30 bits, rounded half up after a shift by the exponent of 1/c and saturated,
     /// whatever the modes of the format are. Precondition: v * 2^(frac of the result) over the
@@ -115,17 +174,16 @@ struct Fixed {
         Quotient(int frac_of_v, int frac_of_c, const Format& to)
             : shift_(frac_of_v - frac_of_c - to.frac), low_(to.min_raw()), high_(to.max_raw()) {}
         Value operator()(Value v, const Inverse& r, uint64_t& overflows) const {
-            int right = r.exponent + shift_;
-            const int left = right < 0 ? -right : 0;
-            right = right < 0 ? 0 : right;
-            right = right > 63 ? 63 : right;  // nothing is left of 62 bits, as with more
-            const auto half = static_cast<Wide>((uint64_t{1} << right) >> 1);
-            const Wide wanted = (align(mul(v, r.mantissa), left) + half) >> right;
+            const int right = r.exponent + shift_;
+            const Wide wanted = Shift(right)(align(mul(v, r.mantissa), right < 0 ? -right : 0));
             Wide value = wanted > high_ ? high_ : wanted;
             value = wanted < low_ ? low_ : value;
             overflows += value != wanted;
             return static_cast<Value>(value);
         }
+        /// The same for `count` batches of n <= kFunctionBatch numbers; to[k] is not from[k].
+        void operator()(const Value* const* from, Value* const* to, std::size_t count,
+                        const Inverses& r, std::size_t n, uint64_t& overflows) const;
 
     private:
         int shift_;
@@ -153,6 +211,21 @@ struct Fixed {
         Power power_;
         int frac_;
         ShiftedCast round_;
+    };
+
+    /// {sine, cosine} of an angle in half turns.
+    class SinCos {
+    public:
+        SinCos(int index_bits, int angle_frac, const Format& to)
+            : sine_(index_bits, angle_frac), round_(Sine::kFractionBits, to) {}
+        std::array<Value, 2> operator()(Value angle, uint64_t& overflows) const {
+            return {quantize(round_, sine_.sin(angle), overflows),
+                    quantize(round_, sine_.cos(angle), overflows)};
+        }
+
+    private:
+        Sine sine_;
+        Cast round_;
     };
 
     /// A vector of any length on its way into a normalisation: shifted, and rounded half up, until
@@ -185,10 +258,20 @@ struct Real {
     static Wide half(Wide sum) { return sum * 0.5; }
     static Wide exact(int64_t raw, int frac) { return std::ldexp(static_cast<double>(raw), -frac); }
     static Value quantize(const Cast&, Wide x, uint64_t&) { return x; }
+    template <class Exact>
+    static void quantize(const Cast&, std::size_t n, Value* y, uint64_t&, const Exact& exact) {
+        REPOUSSE_INDEPENDENT
+        for (std::size_t i = 0; i < n; ++i) y[i] = exact(i);
+    }
     static int32_t raw(Value x, int frac) {
         return static_cast<int32_t>(std::floor(std::ldexp(x, frac) + 0.5));
     }
     static Value limit(const Format&) { return std::numeric_limits<double>::infinity(); }
+
+    struct Columns {
+        std::array<const Value*, 3> from;
+        std::array<Value*, 3> to;
+    };
 
     class Normalise {
     public:
@@ -198,6 +281,13 @@ struct Real {
             degenerate += length == 0.0;
             if (length == 0.0) return {};
             return {v.x / length, v.y / length, v.z / length};
+        }
+        void operator()(const Columns& vectors, std::size_t n, uint64_t& degenerate) const {
+            const auto& [from, to] = vectors;
+            for (std::size_t i = 0; i < n; ++i) {
+                const Vec3<Value> v = (*this)({from[0][i], from[1][i], from[2][i]}, degenerate);
+                to[0][i] = v.x, to[1][i] = v.y, to[2][i] = v.z;
+            }
         }
     };
 
@@ -211,11 +301,21 @@ struct Real {
 
     using Inverse = double;
     static Inverse invert(const Reciprocal&, Value c) { return 1.0 / c; }
+    using Inverses = std::array<double, kFunctionBatch>;
+    static void invert(const Reciprocal&, const Value* c, std::size_t n, Inverses& out) {
+        for (std::size_t i = 0; i < n; ++i) out[i] = 1.0 / c[i];
+    }
 
     class Quotient {
     public:
         Quotient(int, int, const Format&) {}
         Value operator()(Value v, const Inverse& r, uint64_t&) const { return v * r; }
+        void operator()(const Value* const* from, Value* const* to, std::size_t count,
+                        const Inverses& r, std::size_t n, uint64_t&) const {
+            for (std::size_t k = 0; k < count; ++k) {
+                for (std::size_t i = 0; i < n; ++i) to[k][i] = from[k][i] * r[i];
+            }
+        }
     };
 
     static Wide log2(const OctaveLog2&, Value w, int) { return std::log2(w); }
@@ -224,6 +324,15 @@ struct Real {
     public:
         CosinePower(const Power&, int, const Format&) {}
         Value operator()(Value x, int n) const { return x > 0.0 ? std::pow(x, n) : 0.0; }
+    };
+
+    class SinCos {
+    public:
+        SinCos(int, int, const Format&) {}
+        std::array<Value, 2> operator()(Value angle, uint64_t&) const {
+            constexpr double kPi = 3.14159265358979323846;
+            return {std::sin(kPi * angle), std::cos(kPi * angle)};
+        }
     };
 
     static Vec3<Value> scaled(const Vec3<Wide>& v, int) { return v; }

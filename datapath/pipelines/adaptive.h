@@ -3,22 +3,20 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "datapath/pipelines/adaptive_counters.h"
 #include "datapath/pipelines/contexts.h"
 #include "datapath/pipelines/draw.h"
+#include "datapath/pipelines/tessellation_tests.h"
 #include "datapath/profile.h"
 #include "datapath/units/bump.h"
 #include "datapath/units/displace.h"
 #include "datapath/units/edge_iter.h"
-#include "datapath/units/height_test.h"
 #include "datapath/units/mid_vertex.h"
-#include "datapath/units/normal_test.h"
-#include "datapath/units/split.h"
-#include "datapath/units/texcoord_test.h"
+#include "datapath/units/shade.h"
 #include "datapath/units/vertex_transform.h"
-#include "datapath/units/view_test.h"
 
 namespace repousse {
 
@@ -43,6 +41,19 @@ public:
     /// number of contexts. False if a stack's bound was broken.
     bool run(const Emit& emit, int contexts = int(kBatchTriangles));
 
+    /// Called with the edges of every batch as they leave the Tessellation Tests, decided. The
+    /// midpoints of edges that want attributes (Edge::wants_attributes) have their normals if there
+    /// is a Normal Test.
+    using Observe = std::function<void(Span<const Edge<P>>)>;
+    void observe_tests(Observe observe) { observe_ = std::move(observe); }
+
+    /// Listens at the units' read ports. One context reads in architectural order: triangles depth
+    /// first, of each its edges in turn (of a base triangle first its corners). With more of them
+    /// `begin` is wanted: it is called with a triangle's path before the reads that the triangle
+    /// causes, so that they can be sorted. The ports must outlive the pipeline's use.
+    using BeginReads = std::function<void(const Path&)>;
+    void attach(const TexelPorts& ports, BeginReads begin = {});
+
     /// What the units counted so far.
     AdaptiveCounters counters() const;
 
@@ -54,14 +65,13 @@ private:
     AdaptiveRegisters<P> registers_;
     EdgeIter<P> edge_iter_;
     MidVertex<P> mid_vertex_;
-    TexcoordTest texcoord_test_;
     Displace<P> displace_;
-    Split<P> split_;
+    TessellationTests<P> tests_;
     std::optional<VertexTransform<P>> vertex_transform_;
-    std::optional<ViewTest<P>> view_test_;
     std::optional<Bump<P>> bump_;
-    std::optional<NormalTest<P>> normal_test_;
-    std::optional<HeightTest> height_test_;
+    std::optional<Shade<P>> shade_;
+    Observe observe_;
+    BeginReads begin_reads_;
     std::size_t stack_peak_ = 0;
 };
 

@@ -30,7 +30,8 @@ std::vector<CounterRow> AdaptiveCounters::rows() const {
         rows.insert(rows.end(), {{"bump", "items", bump->items},
                                  {"bump", "reads", bump->reads},
                                  {"bump", "overflows", bump->overflows},
-                                 {"bump", "degenerate", bump->degenerate}});
+                                 {"bump", "degenerate", bump->degenerate},
+                                 {"bump", "degenerate_frames", bump->degenerate_frames}});
     }
     if (normal_test) add_test(rows, "normal_test", *normal_test);
     if (height_test) {
@@ -46,6 +47,11 @@ std::vector<CounterRow> AdaptiveCounters::rows() const {
                              {"displace", "items", displace.items},
                              {"displace", "reads", displace.reads},
                              {"displace", "overflows", displace.overflows}});
+    if (shade) {
+        rows.insert(rows.end(), {{"shade", "items", shade->items},
+                                 {"shade", "saturated", shade->saturated},
+                                 {"shade", "degenerate", shade->degenerate}});
+    }
     if (vertex_transform) {
         rows.insert(rows.end(), {{"vertex_transform", "items", vertex_transform->items},
                                  {"vertex_transform", "overflows", vertex_transform->overflows},

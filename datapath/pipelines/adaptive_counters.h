@@ -11,6 +11,7 @@
 #include "datapath/units/edge_iter.h"
 #include "datapath/units/mid_vertex.h"
 #include "datapath/units/normal_test.h"
+#include "datapath/units/shade.h"
 #include "datapath/units/split.h"
 #include "datapath/units/vertex_transform.h"
 
@@ -35,6 +36,7 @@ struct AdaptiveCounters {
     std::optional<VertexTransformCounters> vertex_transform;
     std::optional<TestCounters> view_test;
     std::optional<BumpCounters> bump;
+    std::optional<ShadeCounters> shade;
     std::optional<TestCounters> normal_test;
     std::optional<TestCounters> height_test;
     uint64_t height_test_reads = 0;

@@ -19,6 +19,7 @@ struct OutputVertex {
     Uv uv;
     Vec3<typename P::Value> displaced;
     Vec3<typename P::Value> displaced_normal;  ///< zero unless the scene asks for `bump`
+    Colour<typename P::Value> colour;          ///< zero unless it asks for `shade`
     uint8_t generation = 0;
 };
 
@@ -112,7 +113,7 @@ private:
     };
 
     static OutputVertex<P> output(const Vertex<P>& v) {
-        return {v.uv, v.displaced, v.displaced_normal, v.generation};
+        return {v.uv, v.displaced, v.displaced_normal, v.colour, v.generation};
     }
 
     std::vector<OutputTriangle<P>> take_buffer() {

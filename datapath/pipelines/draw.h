@@ -9,6 +9,7 @@
 #include "datapath/numbers/policy.h"
 #include "datapath/units/height_test.h"
 #include "datapath/units/normal_test.h"
+#include "datapath/units/shade.h"
 #include "datapath/units/triangle_stack.h"
 #include "datapath/units/vertex_transform.h"
 
@@ -20,21 +21,24 @@ struct AdaptiveRegisters {
     bool use_view_test = false;
     bool use_normal_test = false;
     bool use_height_test = false;
-    bool use_bump = false;  ///< displaced normals are wanted, by the normal test or as output
-    bool eager = false;     ///< never skip a test
-    int cap = 0;            ///< generation cap, 0 to 15
+    bool use_bump = false;   ///< displaced normals are wanted, by the normal test or as output
+    bool use_shade = false;  ///< colours are wanted
+    bool eager = false;      ///< never skip a test
+    int cap = 0;             ///< generation cap, 0 to 15
     StackOrder order = StackOrder::Lifo;
     NormalSpace normal_space = NormalSpace::World;
     typename P::Wide view_threshold{};     ///< pixels, in the format of `screen`
     typename P::Value normal_threshold{};  ///< in the format of `displaced_normal`
     HeightTestRegisters height_test;
+    ShadeRegisters<P> shade;
 };
 
 /// The tables that a map view points into.
 template <class P>
 struct MapTables {
     std::vector<uint16_t> heights;
-    std::vector<Vec3<typename P::Texel>> normals;  ///< empty unless bump is used
+    std::vector<Vec3<typename P::Texel>> normals;  ///< empty unless bump of kind 0 is used
+    std::vector<Turn<typename P::Texel>> turns;    ///< empty unless bump of kind 2 is used
     std::vector<uint64_t> sums;                    ///< empty unless the height test is used
 };
 
@@ -54,6 +58,7 @@ struct AdaptiveDraw {
         MapView<P> bound = map;
         bound.heights = tables.heights;
         bound.normals = tables.normals;
+        bound.turns = tables.turns;
         bound.sums = tables.sums;
         return bound;
     }

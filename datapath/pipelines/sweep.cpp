@@ -5,11 +5,14 @@
 #include "datapath/pipelines/closed_form.h"
 
 namespace repousse {
-TriangleSetupOptions setup_options(const Profile& profile, bool use_bump) {
+TriangleSetupOptions setup_options(const Profile& profile, bool use_bump, bool use_footprints) {
     TriangleSetupOptions options;
     options.adder = static_cast<AdderKind>(profile.adder_kind);
     options.guard_bits = profile.guard_bits;
     options.components = use_bump ? kSweepComponents : kPlainComponents;
+    options.footprints = use_footprints;
+    options.data_bits = profile.sweep_data.width;
+    options.c_bits = profile.inverse_w.width;
     return options;
 }
 
@@ -25,7 +28,8 @@ SweepPipeline<P>::SweepPipeline(const Profile& profile, const SweepDraw<P>& draw
       controller_(profile),
       vertex_transform_(profile),
       grid_transform_(profile),
-      triangle_setup_(setup_options(profile, draw.registers.use_bump)),
+      triangle_setup_(
+          setup_options(profile, draw.registers.use_bump, reads_levels(draw.map.filter))),
       sweep_line_(sweep_options(profile)),
       perspective_(profile),
       displace_(profile),
@@ -44,10 +48,18 @@ SweepPipeline<P>::SweepPipeline(const Profile& profile, const SweepDraw<P>& draw
     }
     triangle_setup_.configure(registers.setup);
     perspective_.configure(registers.use_bump);
+    if (reads_levels(map.filter)) {
+        footprint_.emplace(profile);
+        footprint_->configure({map.width, map.height, map.last_level, draw.camera.eye});
+    }
     displace_.configure(map);
     if (registers.use_bump) {
         bump_.emplace(profile);
         bump_->configure(map);
+    }
+    if (registers.use_shade) {
+        shade_.emplace(profile);
+        shade_->configure(registers.shade, registers.use_bump);
     }
 }
 
@@ -85,7 +97,7 @@ void SweepPipeline<P>::transform(uint32_t vertex) {
 
 template <class P>
 void SweepPipeline<P>::pass(uint32_t base, const SweepBase<P>& triangle, const Emit& emit) {
-    SweepOutput<P> out;
+    typename TriangleBuffer<SweepOutputVertex<P>>::Direct out;
     out.base = base;
     for (std::size_t k = 0; k < 3; ++k) {
         out.corners[k] =
@@ -114,7 +126,20 @@ bool SweepPipeline<P>::set_up(const SweepBase<P>& triangle) {
     }
     if (view_clip_ && (*view_clip_)(eye, triangle.max_displacement)) return false;
     triangle_setup_(corners, triangle_);
+    if (footprint_) set_texel_steps(triangle);
     return true;
+}
+
+template <class P>
+void SweepPipeline<P>::set_texel_steps(const SweepBase<P>& triangle) {
+    if constexpr (std::is_same_v<P, Fixed>) {
+        texel_steps_ = triangle_.texel_steps;
+    } else {
+        const auto data = [&](std::size_t corner) -> const Data& {
+            return corners_[triangle.vertices[corner]].data;
+        };
+        texel_steps_ = closed_form_steps(triangle_, data(0), data(1), data(2));
+    }
 }
 
 template <class P>
@@ -122,70 +147,90 @@ void SweepPipeline<P>::remesh(uint32_t base, const SweepBase<P>& triangle, const
     if (!set_up(triangle)) return;
     sweep_line_.load(triangle_);
     while (sweep_line_.busy()) {
-        std::size_t count = 0;
-        while (count < kBatchSteps && sweep_line_.step(steps_[count])) ++count;
-        const Span<const SweepStep> batch(steps_.data(), count);
-        first_new_ = fine_.start_batch(strip_);
-        finish_vertices(triangle, batch);
-        build_strips(batch);
-        enter(base, emit);
+        sweep(triangle);
+        perspective_.run(fine_);
+        if (footprint_) footprint_->run(fine_, 0, fine_.size, texel_steps_);
+        displace_.run(fine_);
+        if (bump_) bump_->run(fine_);
+        if (shade_) shade_->run(fine_);
+        finish_vertices(emit);
+        build_strips(base, emit);
     }
     // A triangle that was given up may leave vertices in the FIFOs that nobody will ask for.
     if (sweep_line_.runaway()) strip_.flush();
 }
 
+// Fills the batch.
 template <class P>
-void SweepPipeline<P>::finish_vertices(const SweepBase<P>& triangle, Span<const SweepStep> steps) {
-    FineVertex<P> fine;
-    for (const SweepStep& step : steps) {
-        for (std::size_t i = 0; i < step.vertex_count; ++i) {
-            const SweepVertex& vertex = step.vertices[i];
-            if constexpr (std::is_same_v<P, Fixed>) {
-                perspective_(vertex.data, vertex.name, fine);
-            } else {
-                const auto data = [&](std::size_t corner) -> const Data& {
-                    return corners_[triangle.vertices[corner]].data;
-                };
-                perspective_(closed_form(triangle_, vertex.name, data(0), data(1), data(2)),
-                             vertex.name, fine);
-            }
-            fine.displaced = displace_(fine.position, fine.normal, fine.uv);
-            if (bump_) (*bump_)(fine);
-            fine_.push_back({fine.name, fine.uv, fine.displaced, fine.displaced_normal});
+void SweepPipeline<P>::sweep(const SweepBase<P>& triangle) {
+    step_count_ = 0;
+    fine_.size = 0;
+    while (step_count_ < kBatchSteps && fine_.size + 4 <= kFineVertices) {
+        SweepStep& step = steps_[step_count_];
+        if (!sweep_line_.step(step)) break;
+        ++step_count_;
+        add_vertices(triangle, step);
+    }
+}
+
+template <class P>
+void SweepPipeline<P>::add_vertices(const SweepBase<P>& triangle, const SweepStep& step) {
+    for (std::size_t i = 0; i < step.vertex_count; ++i) {
+        const SweepVertex& vertex = step.vertices[i];
+        if constexpr (std::is_same_v<P, Fixed>) {
+            fine_.push_back(vertex.name, vertex.data);
+        } else {
+            const auto data = [&](std::size_t corner) -> const Data& {
+                return corners_[triangle.vertices[corner]].data;
+            };
+            fine_.push_back(vertex.name,
+                            closed_form(triangle_, vertex.name, data(0), data(1), data(2)));
         }
     }
 }
 
+// Vertices and triangles enter the triangle buffer in the places where they wait; it is emptied
+// when it is full.
 template <class P>
-void SweepPipeline<P>::build_strips(Span<const SweepStep> steps) {
-    made_.clear();
-    uint32_t next = first_new_;
-    std::array<uint32_t, 4> numbers{};
-    StripTriangles<uint32_t> triangles;
-    for (const SweepStep& step : steps) {
-        for (std::size_t i = 0; i < step.vertex_count; ++i) numbers[i] = next++;
-        strip_(step.strip, {numbers.data(), step.vertex_count}, triangles);
-        for (std::size_t i = 0; i < triangles.count; ++i) made_.push_back(triangles.triangles[i]);
+void SweepPipeline<P>::finish_vertices(const Emit& emit) {
+    for (std::size_t done = 0; done < fine_.size;) {
+        done += triangle_buffer_.push_vertices(
+            fine_.size - done,
+            [&](std::size_t i, SweepOutputVertex<P>& vertex) { vertex = fine_.output(done + i); });
+        if (done < fine_.size) drain(emit);
     }
 }
 
-// Into the triangle buffer, which is emptied when it is full; made in the places where they wait.
 template <class P>
-void SweepPipeline<P>::enter(uint32_t base, const Emit& emit) {
+void SweepPipeline<P>::build_strips(uint32_t base, const Emit& emit) {
+    made_.clear();
+    const auto first = triangle_buffer_.vertex_count() - static_cast<uint32_t>(fine_.size);
+    strip_.run(Span<const SweepStep>(steps_.data(), step_count_), first, made_);
     for (std::size_t done = 0; done < made_.size();) {
-        done += triangle_buffer_.push(made_.size() - done,
-                                      [&](std::size_t i, SweepOutput<P>& triangle) {
-                                          const auto& [a, b, c] = made_[done + i];
-                                          triangle.base = base;
-                                          triangle.corners = {fine_[a], fine_[b], fine_[c]};
-                                      });
+        done +=
+            triangle_buffer_.push(made_.size() - done, [&](std::size_t i, FineTriangle& triangle) {
+                triangle = {base, made_[done + i]};
+            });
         if (done < made_.size()) drain(emit);
     }
 }
 
 template <class P>
 void SweepPipeline<P>::drain(const Emit& emit) {
-    triangle_buffer_.drain([&emit](Span<const SweepOutput<P>> triangles) { emit(triangles); });
+    struct {
+        const Emit& emit;
+        void operator()(Span<const SweepOutputVertex<P>> vertices) const { emit(vertices, {}); }
+        void operator()(Span<const FineTriangle> triangles) const { emit({}, triangles); }
+    } sink{emit};
+    triangle_buffer_.drain(sink);
+}
+
+template <class P>
+bool SweepPipeline<P>::run(SweepMesh<P>& mesh) {
+    return run([&mesh](auto vertices, auto triangles) {
+        mesh.append(vertices);
+        mesh.append(triangles);
+    });
 }
 
 template <class P>
@@ -199,8 +244,10 @@ SweepCounters SweepPipeline<P>::counters() const {
     counters.sweep_line = sweep_line_.counters();
     counters.perspective = perspective_.counters();
     counters.normalise = perspective_.normalise_counters();
+    if (footprint_) counters.footprint = footprint_->counters();
     counters.displace = displace_.counters();
     if (bump_) counters.bump = bump_->counters();
+    if (shade_) counters.shade = shade_->counters();
     counters.strip = strip_.counters();
     counters.triangle_buffer = triangle_buffer_.counters();
     return counters;

@@ -7,15 +7,17 @@
 #include <optional>
 #include <vector>
 
+#include "datapath/fine_vertices.h"
 #include "datapath/pipelines/sweep_counters.h"
 #include "datapath/pipelines/sweep_draw.h"
-#include "datapath/pipelines/vertex_pool.h"
 #include "datapath/profile.h"
 #include "datapath/units/bump.h"
 #include "datapath/units/controller.h"
 #include "datapath/units/displace.h"
+#include "datapath/units/footprint.h"
 #include "datapath/units/grid_transform.h"
 #include "datapath/units/perspective.h"
+#include "datapath/units/shade.h"
 #include "datapath/units/strip.h"
 #include "datapath/units/sweep_line.h"
 #include "datapath/units/triangle_buffer.h"
@@ -25,12 +27,14 @@
 
 namespace repousse {
 
-/// Steps of the sweep line in one batch: their vertices stay in the first-level cache.
+/// Most steps of the sweep line in one batch, which ends before when its vertices might be too
+/// many: these stay close to the first-level cache.
 inline constexpr std::size_t kBatchSteps = 64;
 
 /// How the setup and the sweep line of a draw are built: by the profile, and by whether the draw
-/// wants the components that `bump` needs.
-TriangleSetupOptions setup_options(const Profile& profile, bool use_bump);
+/// wants the components that `bump` needs, and the steps that `footprint` needs.
+TriangleSetupOptions setup_options(const Profile& profile, bool use_bump,
+                                   bool use_footprints = false);
 SweepLineOptions sweep_options(const Profile& profile);
 
 /// The units of sweep-line remeshing (Gumhold and Huettner, figure 3) composed by plain calls:
@@ -40,7 +44,8 @@ SweepLineOptions sweep_options(const Profile& profile);
 ///  1. `direct` triangles leave as they are. Of the others, every vertex is brought to the grid
 ///     once, when the first triangle needs it;
 ///  2. clip, setup and sweep line;
-///  3. a new fine vertex passes perspective, displace and bump, then becomes part of a strip;
+///  3. a new fine vertex passes perspective, footprint where the map has filter levels, displace
+///     and bump, then becomes part of a strip;
 ///  4. triangles leave in the order of their base triangles.
 ///
 /// With Real, names and topology come from the same integer setup and sweep, on slots rounded from
@@ -51,12 +56,20 @@ public:
     /// The draw must outlive the pipeline.
     SweepPipeline(const Profile& profile, const SweepDraw<P>& draw);
 
-    /// Called with finished triangles.
-    using Emit = std::function<void(Span<const SweepOutput<P>>)>;
+    /// Called with vertices, and with triangles that refer to vertices of this call and before.
+    using Emit = std::function<void(Span<const SweepOutputVertex<P>>, Span<const FineTriangle>)>;
 
     /// Remeshes the draw. `emit` gets finished triangles in architectural order. False if a base
     /// triangle names a vertex that is not there, or the sweep line gave one up.
     bool run(const Emit& emit);
+    bool run(SweepMesh<P>& mesh);
+
+    /// Listens at the units' read ports. Reads come in the order in which the sweep line makes the
+    /// vertices, whatever is in a batch. The ports must outlive the pipeline's use.
+    void attach(const TexelPorts& ports) {
+        displace_.attach(ports.displace);
+        if (bump_) bump_->attach(ports.bump);
+    }
 
     /// What the units counted so far.
     SweepCounters counters() const;
@@ -76,9 +89,11 @@ private:
     void pass(uint32_t base, const SweepBase<P>& triangle, const Emit& emit);
     void remesh(uint32_t base, const SweepBase<P>& triangle, const Emit& emit);
     bool set_up(const SweepBase<P>& triangle);
-    void finish_vertices(const SweepBase<P>& triangle, Span<const SweepStep> steps);
-    void build_strips(Span<const SweepStep> steps);
-    void enter(uint32_t base, const Emit& emit);
+    void set_texel_steps(const SweepBase<P>& triangle);
+    void sweep(const SweepBase<P>& triangle);
+    void add_vertices(const SweepBase<P>& triangle, const SweepStep& step);
+    void finish_vertices(const Emit& emit);
+    void build_strips(uint32_t base, const Emit& emit);
     void drain(const Emit& emit);
 
     const SweepDraw<P>& draw_;
@@ -89,18 +104,21 @@ private:
     TriangleSetup triangle_setup_;
     SweepLine sweep_line_;
     Perspective<P> perspective_;
+    std::optional<Footprint<P>> footprint_;
     Displace<P> displace_;
     std::optional<Bump<P>> bump_;
-    Strip<uint32_t> strip_;  // vertices by their number in fine_
-    TriangleBuffer<SweepOutput<P>> triangle_buffer_;
+    std::optional<Shade<P>> shade_;
+    Strip<uint32_t> strip_;  // vertices by their number in the output
+    TriangleBuffer<SweepOutputVertex<P>> triangle_buffer_;
 
     std::vector<Corner> corners_;  // by base vertex
     SweepTriangle triangle_;
+    TexelSteps<typename P::Value> texel_steps_;  // of `triangle_`, only with footprints
+    // The batch.
     std::vector<SweepStep> steps_;
-    // Vertices of the current base triangle: those that the strip holds, then the batch's.
-    VertexPool<SweepOutputVertex<P>> fine_;
-    uint32_t first_new_ = 0;                     // of the batch
-    std::vector<std::array<uint32_t, 3>> made_;  // by the batch, of vertices in fine_
+    std::size_t step_count_ = 0;
+    FineVertices<P> fine_{};
+    std::vector<std::array<uint32_t, 3>> made_;  // triangles
 };
 
 }  // namespace repousse

@@ -65,6 +65,17 @@ std::vector<CounterRow> SweepCounters::rows() const {
                              {"overflows", perspective.overflows},
                              {"clamped", perspective.clamped}});
     rows.add("normalise", {{"items", normalise.items}, {"degenerate", normalise.degenerate}});
+    if (footprint) {
+        constexpr std::string_view kLevels[] = {"level_0",  "level_1",  "level_2",  "level_3",
+                                                "level_4",  "level_5",  "level_6",  "level_7",
+                                                "level_8",  "level_9",  "level_10", "level_11",
+                                                "level_12", "level_13", "level_14"};
+        rows.add("footprint", {{"items", footprint->items}});
+        for (std::size_t l = 0; l < footprint->levels.size(); ++l) {
+            rows.add("footprint", {{kLevels[l], footprint->levels[l]}});
+        }
+        rows.add("footprint", {{"back", footprint->back}, {"cut", footprint->cut}});
+    }
     rows.add(
         "displace",
         {{"items", displace.items}, {"reads", displace.reads}, {"overflows", displace.overflows}});
@@ -72,7 +83,13 @@ std::vector<CounterRow> SweepCounters::rows() const {
         rows.add("bump", {{"items", bump->items},
                           {"reads", bump->reads},
                           {"overflows", bump->overflows},
-                          {"degenerate", bump->degenerate}});
+                          {"degenerate", bump->degenerate},
+                          {"degenerate_frames", bump->degenerate_frames}});
+    }
+    if (shade) {
+        rows.add("shade", {{"items", shade->items},
+                           {"saturated", shade->saturated},
+                           {"degenerate", shade->degenerate}});
     }
     rows.add("strip", {{"steps", strip.steps},
                        {"commands", strip.commands},

@@ -7,9 +7,11 @@
 #include "datapath/units/bump.h"
 #include "datapath/units/controller.h"
 #include "datapath/units/displace.h"
+#include "datapath/units/footprint.h"
 #include "datapath/units/grid_transform.h"
 #include "datapath/units/normalise.h"
 #include "datapath/units/perspective.h"
+#include "datapath/units/shade.h"
 #include "datapath/units/strip.h"
 #include "datapath/units/sweep_line.h"
 #include "datapath/units/triangle_buffer.h"
@@ -30,8 +32,10 @@ struct SweepCounters {
     SweepLineCounters sweep_line;
     PerspectiveCounters perspective;
     NormaliseCounters normalise;
+    std::optional<FootprintCounters> footprint;
     DisplaceCounters displace;
     std::optional<BumpCounters> bump;
+    std::optional<ShadeCounters> shade;
     StripCounters strip;
     TriangleBufferCounters triangle_buffer;
 

@@ -8,6 +8,7 @@
 #include "datapath/pipelines/draw.h"
 #include "datapath/sweep_items.h"
 #include "datapath/units/grid_transform.h"
+#include "datapath/units/shade.h"
 #include "datapath/units/triangle_setup.h"
 #include "datapath/units/view_clip.h"
 
@@ -16,11 +17,13 @@ namespace repousse {
 /// The registers of sweep-line remeshing.
 template <class P>
 struct SweepRegisters {
-    bool use_bump = false;  ///< displaced normals are wanted: 13 components, else 9
-    bool use_clip = true;   ///< trivially reject triangles outside the extended view volume
+    bool use_bump = false;   ///< displaced normals are wanted: 13 components, else 9
+    bool use_shade = false;  ///< colours are wanted
+    bool use_clip = true;    ///< trivially reject triangles outside the extended view volume
     GridRegisters<P> grid;
     ClipRegisters<P> clip;
     TriangleSetupRegisters setup;
+    ShadeRegisters<P> shade;
 };
 
 /// A base triangle as the controller reads it.
@@ -47,15 +50,26 @@ struct SweepDraw {
         MapView<P> bound = map;
         bound.heights = tables.heights;
         bound.normals = tables.normals;
+        bound.turns = tables.turns;
         return bound;
     }
 };
 
-/// A fine triangle on its way out: base triangle, then the order in which strips made it.
+/// What a draw gives: base triangle by base triangle, in the order in which strips made them.
 template <class P>
-struct SweepOutput {
-    uint32_t base = 0;
-    std::array<SweepOutputVertex<P>, 3> corners;
+struct SweepMesh {
+    std::vector<SweepOutputVertex<P>> vertices;
+    std::vector<FineTriangle> triangles;
+
+    void append(Span<const SweepOutputVertex<P>> some) {
+        vertices.insert(vertices.end(), some.begin(), some.end());
+    }
+    void append(Span<const FineTriangle> some) {
+        triangles.insert(triangles.end(), some.begin(), some.end());
+    }
+    const SweepOutputVertex<P>& corner(const FineTriangle& triangle, std::size_t k) const {
+        return vertices[triangle.vertices[k]];
+    }
 };
 
 }  // namespace repousse

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "datapath/items.h"
@@ -42,9 +43,18 @@ public:
         return normalise_(v, counters_.degenerate);
     }
 
+    /// A batch of n <= kFunctionBatch vectors, one array a component; `to` is not `from`.
+    void operator()(const typename P::Columns& vectors, std::size_t n) {
+        counters_.items += n;
+        normalise_(vectors, n, counters_.degenerate);
+    }
+
     /// The same inside another unit, which counts its zero vectors itself.
     Vec3<V> operator()(const Vec3<V>& v, uint64_t& degenerate) const {
         return normalise_(v, degenerate);
+    }
+    void operator()(const typename P::Columns& vectors, std::size_t n, uint64_t& degenerate) const {
+        normalise_(vectors, n, degenerate);
     }
 
     const NormaliseCounters& counters() const { return counters_; }

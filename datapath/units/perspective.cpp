@@ -55,6 +55,46 @@ void Perspective<P>::operator()(const Data& data, const VertexName& name, FineVe
     out.handedness = corrected.left_handed ? -1 : 1;
 }
 
+// ---- batches ------------------------------------------------------------------------------------
+
+template <class P>
+void Perspective<P>::run(FineVertices<P>& b) {
+    const std::size_t n = b.size;
+    counters_.items += n;
+    FineArray<V> c;
+    for (std::size_t i = 0; i < n; ++i) {
+        const bool clamped = b.data[C][i] <= 0;
+        counters_.clamped += clamped;
+        c[i] = clamped ? V{1} : b.data[C][i];
+    }
+    typename P::Inverses inverses;
+    P::invert(reciprocal_, c.data(), n, inverses);
+
+    const auto divide = [&](const typename P::Quotient& to, std::size_t first, auto... results) {
+        const V* from[sizeof...(results)];
+        for (std::size_t k = 0; k < sizeof...(results); ++k) from[k] = b.data[first + k].data();
+        V* const all[] = {results->data()...};
+        to(from, all, sizeof...(results), inverses, n, counters_.overflows);
+    };
+    FineVectors<V>& raw = unnormalised_;
+    divide(to_position_, X, &b.position.x, &b.position.y, &b.position.z);
+    divide(to_unnormalised_, Nx, &raw.x, &raw.y, &raw.z);
+    normalise_(columns<P>(raw, b.normal), n);
+    FineArray<V> u, v;
+    divide(to_uv_, U, &u, &v);
+    for (std::size_t i = 0; i < n; ++i) {
+        b.u[i] = P::raw(u[i], uv_frac_);
+        b.v[i] = P::raw(v[i], uv_frac_);
+    }
+    if (tangents_) {
+        divide(to_unnormalised_, Tx, &raw.x, &raw.y, &raw.z);
+        normalise_(columns<P>(raw, b.tangent), n);
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        b.handedness[i] = tangents_ && b.data[Handedness][i] < 0 ? -1 : 1;
+    }
+}
+
 template class Perspective<Fixed>;
 template class Perspective<Real>;
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 
+#include "datapath/fine_vertices.h"
 #include "datapath/numbers/policy.h"
 #include "datapath/profile.h"
 #include "datapath/sweep_items.h"
@@ -85,6 +86,9 @@ public:
     }
     void operator()(const Data& data, const VertexName& name, FineVertex<P>& out);
 
+    /// A batch of vertices that have name and data: adds what perspective and normalisation make.
+    void run(FineVertices<P>& batch);
+
     /// Steps 1 to 3.
     CorrectedVertex<P> correct(const Data& data);
 
@@ -99,6 +103,7 @@ private:
     Reciprocal reciprocal_;
     typename P::Quotient to_position_, to_unnormalised_, to_uv_;
     Normalise<P> normalise_;
+    FineVectors<V> unnormalised_;  // of the batch
     PerspectiveCounters counters_;
 };
 

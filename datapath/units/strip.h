@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "datapath/fifo.h"
 #include "datapath/span.h"
 #include "datapath/sweep_items.h"
 #include "datapath/transaction.h"
@@ -159,67 +160,112 @@ public:
     /// One step. `vertices` are those of its `New` commands, in their order.
     void operator()(const StripStep& step, Span<const V> vertices, StripTriangles<V>& out);
 
+    /// Steps one after the other, each anything with members `strip` and `vertex_count`. Vertices
+    /// go by numbers: those of the `New` commands from `first` on. Triangles are added to `made`.
+    template <class Step>
+    void run(Span<const Step> steps, uint32_t first, std::vector<std::array<V, 3>>& made);
+
     /// End of frame, or after the sweep line has dropped a triangle: forgets strip and FIFOs.
     void flush();
-
-    /// Calls `f(V&)` for every vertex in a register or a FIFO, so that vertices that go by numbers
-    /// can be numbered anew.
-    template <class F>
-    void for_each(F&& f) {
-        for (std::size_t i = 0; i < kStripRegisters; ++i) {
-            if (loaded_[i]) f(registers_[i]);
-        }
-        column_.for_each(f);
-        split_.for_each(f);
-    }
 
     bool bad_ref() const { return counters_.bad_refs != 0; }
     const StripCounters& counters() const { return counters_; }
     void reset() { flush(), counters_ = {}; }
 
 private:
-    /// A FIFO of fixed size in a ring. A full one refuses, an empty one gives nothing.
-    class Ring {
-    public:
-        explicit Ring(std::size_t depth) : places_(depth) {}
-        bool push(const V& vertex) {
-            if (count_ == places_.size()) return false;
-            places_[place(count_++)] = vertex;
-            return true;
-        }
-        const V* pop() {
-            if (count_ == 0) return nullptr;
-            const V* vertex = &places_[first_];
-            first_ = place(1);
-            --count_;
-            return vertex;
-        }
-        template <class F>
-        void for_each(F& f) {
-            for (std::size_t i = 0; i < count_; ++i) f(places_[place(i)]);
-        }
-        void clear() { first_ = count_ = 0; }
-        std::size_t size() const { return count_; }
-
-    private:
-        // Of the i-th vertex from the oldest, i <= size: a comparison is faster than a division.
-        std::size_t place(std::size_t i) const {
-            const std::size_t at = first_ + i;
-            return at < places_.size() ? at : at - places_.size();
-        }
-
-        std::vector<V> places_;
-        std::size_t first_ = 0, count_ = 0;
-    };
-
-    const V* source(StripOp op, uint8_t place, Span<const V> vertices, std::size_t& next);
-    void keep(StripKeep kept, const V& vertex);
+    template <class New>
+    void carry_out(const StripStep& step, StripControl& control, New&& next_vertex,
+                   StripTriangles<V>& out);
+    bool take(Fifo<V>& fifo, V& vertex);
+    void keep(Fifo<V>& fifo, const V& vertex);
 
     StripControl control_;
     std::array<V, kStripRegisters> registers_{};
     std::array<bool, kStripRegisters> loaded_{};
-    Ring column_, split_;
+    Fifo<V> column_, split_;
     StripCounters counters_;
 };
+
+template <class V>
+bool Strip<V>::take(Fifo<V>& fifo, V& vertex) {
+    if (fifo.empty()) return false;
+    vertex = fifo.front();
+    fifo.pop();
+    return true;
+}
+
+template <class V>
+void Strip<V>::keep(Fifo<V>& fifo, const V& vertex) {
+    counters_.bad_refs += !fifo.push(vertex);
+    if (fifo.size() > counters_.deepest) counters_.deepest = fifo.size();
+}
+
+// A triangle reads its older registers before the new vertex is written, which may replace one.
+// `next_vertex(V&)` gives the next new vertex, or false.
+template <class V>
+template <class New>
+inline void Strip<V>::carry_out(const StripStep& step, StripControl& control, New&& next_vertex,
+                                StripTriangles<V>& out) {
+    out.count = 0;
+    ++counters_.steps;
+    counters_.commands += static_cast<uint64_t>(step.count) + step.init;
+    counters_.strips += step.init;
+    if (step.init) control.init(step.flip);
+    V vertex{};
+    for (std::size_t i = 0; i < step.count; ++i) {
+        const StripCommand& command = step.commands[i];
+        const auto place = static_cast<uint8_t>(command.place % kStripRegisters);
+        const bool is_ref = command.op == StripOp::Ref;
+        bool there = true;
+        if (is_ref) {
+            vertex = registers_[place];
+            there = loaded_[place];
+        } else if (command.op == StripOp::New) {
+            there = next_vertex(vertex);
+        } else {
+            there = take(command.op == StripOp::Column ? column_ : split_, vertex);
+        }
+        if (!there) {
+            ++counters_.bad_refs;
+            continue;
+        }
+        const StripControl::Triangle made = control.add(place, is_ref);
+        counters_.swaps += made.swap;
+        if (made.made && out.count == kStripTriangles) {
+            ++counters_.bad_refs;
+        } else if (made.made) {
+            const V &older = registers_[made.older], &newer = registers_[made.newer];
+            out.triangles[out.count++] = {older, made.odd ? vertex : newer,
+                                          made.odd ? newer : vertex};
+        }
+        if (is_ref) continue;
+        ++counters_.vertices;
+        if (command.keep != StripKeep::No) {
+            keep(command.keep == StripKeep::Column ? column_ : split_, vertex);
+        }
+        registers_[place] = vertex;
+        loaded_[place] = true;
+    }
+    counters_.triangles += out.count;
+}
+
+template <class V>
+template <class Step>
+void Strip<V>::run(Span<const Step> steps, uint32_t first, std::vector<std::array<V, 3>>& made) {
+    StripControl control = control_;  // beside the steps, which might be what a store changes
+    StripTriangles<V> triangles;
+    for (const Step& step : steps) {
+        const uint32_t end = first + step.vertex_count;
+        const auto next_vertex = [&](V& vertex) {
+            if (first == end) return false;
+            vertex = first++;
+            return true;
+        };
+        carry_out(step.strip, control, next_vertex, triangles);
+        first = end;
+        for (std::size_t i = 0; i < triangles.count; ++i) made.push_back(triangles.triangles[i]);
+    }
+    control_ = control;
+}
 
 }  // namespace repousse

@@ -24,8 +24,8 @@ void SweepLine::load(const SweepTriangle& triangle) {
     start_place_ = 2;
     edge_place_ = 3;
     if (triangle.single) return;
-    registers_[Sweep].vector = triangle.sweep_difference;
-    registers_[Side].vector = triangle.side_difference;
+    registers_[Sweep].vector = vector_of(triangle.sweep_difference);
+    registers_[Side].vector = vector_of(triangle.side_difference);
     start_walk();
     if (half().columns == 0) {
         next_half();

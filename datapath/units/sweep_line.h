@@ -110,9 +110,18 @@ private:
     // What a side steps onto.
     enum class Move : uint8_t { Stay, Inside, OnEdge, OnOther };
 
+    /// A vector as the adders of the unit hold it: the value's LSB and above, and what lies below
+    /// them, guard bits or a remainder, in units of 1/modulus. Both sums are one kind of addition
+    /// then, and 32 bits are enough: values count modulo 2^32, more than a component has.
+    struct Vector {
+        alignas(32) std::array<int32_t, kSweepPlaces> value{};
+        alignas(32) std::array<int32_t, kSweepPlaces> rest{};  ///< 0 .. modulus - 1
+        int32_t modulus = 1;
+    };
+
     struct Register {
         VertexName name;
-        SweepVector vector;
+        Vector vector;
     };
 
     const SubTriangle& half() const { return triangle_->halves[half_]; }
@@ -124,8 +133,13 @@ private:
     bool other_right() const { return options_.repairs.other_edge && half().other_right && last_; }
     bool closes() const { return last_ && half().closing; }
 
+    /// A vector of the setup.
+    Vector vector_of(const SweepVector& from) const;
+    static void sum(const Vector& a, const Vector& d, Vector& to);
+    static void difference(const Vector& a, const Vector& d, Vector& to);
+
     Index free_register();
-    void add(Role to, Index from, Index difference, bool subtract = false);
+    void add(Role to, Index from, Index which, bool subtract = false);
     VertexName inside(int32_t sweep, int32_t row) const {
         return {NameKind::Interior, 0, static_cast<int16_t>(sweep),
                 static_cast<int16_t>(triangle_->mirror * row)};

@@ -1,28 +1,12 @@
 // The side of the sweep line that faces the stripping unit: what a step sends, and which strip
 // register it uses.
 
+#include <algorithm>
+#include <cstddef>
+
 #include "datapath/units/sweep_line.h"
 
-#include "datapath/numbers/vector_clones.h"
-
 namespace repousse {
-namespace {
-
-// Half up to the LSB of the data. The low 32 bits are the same whatever the shift brings in above
-// them, and an unsigned one is what vector registers have.
-REPOUSSE_VECTOR_CLONES
-void round_off(const SweepVector& from, int guard, std::array<int32_t, kSweepComponents>& to) {
-    constexpr std::size_t kFour = kSweepComponents / 4 * 4;
-    const uint64_t half_lsb = (uint64_t{1} << guard) >> 1;
-    for (std::size_t i = 0; i < kFour; ++i) {
-        to[i] = static_cast<int32_t>((static_cast<uint64_t>(from.value[i]) + half_lsb) >> guard);
-    }
-    for (std::size_t i = kFour; i < kSweepComponents; ++i) {
-        to[i] = static_cast<int32_t>((static_cast<uint64_t>(from.value[i]) + half_lsb) >> guard);
-    }
-}
-
-}  // namespace
 
 void SweepLine::init(SweepStep& out, bool flip) {
     out.strip.init = true;
@@ -48,7 +32,16 @@ void SweepLine::send(SweepStep& out, Index source, uint8_t place, StripKeep kept
         vertex.data = triangle_->corners[from.name.part].data;
         return;
     }
-    round_off(from.vector, triangle_->guard_bits, vertex.data);
+    const Vector& v = from.vector;
+    if (triangle_->guard_bits == 0) {
+        std::copy_n(v.value.begin(), kSweepComponents, vertex.data.begin());
+        return;
+    }
+    const int half = triangle_->guard_bits - 1;
+    for (std::size_t i = 0; i < kSweepComponents; ++i) {
+        vertex.data[i] = static_cast<int32_t>(static_cast<uint32_t>(v.value[i]) +
+                                              static_cast<uint32_t>(v.rest[i] >> half));
+    }
 }
 
 void SweepLine::send_single(SweepStep& out) {

@@ -5,41 +5,55 @@
 #include "datapath/numbers/vector_clones.h"
 
 namespace repousse {
-namespace {
 
-// Both work on all places, whether the triangle has the components or not: that is faster than a
-// loop of variable length. `sum` may be `a`.
+// ---- vectors
+// -------------------------------------------------------------------------------------
+
+// All loops work on all places, whether the triangle has the components or not: that is faster than
+// a loop of variable length.
+
+SweepLine::Vector SweepLine::vector_of(const SweepVector& from) const {
+    const int guard = triangle_->guard_bits;
+    const int32_t below = (int32_t{1} << guard) - 1;
+    Vector to;
+    to.modulus = guard == 0 ? from.modulus : below + 1;
+    for (std::size_t i = 0; i < kSweepPlaces; ++i) {
+        to.value[i] = static_cast<int32_t>(from.value[i] >> guard);
+        to.rest[i] = guard == 0 ? from.remainder[i] : static_cast<int32_t>(from.value[i]) & below;
+    }
+    return to;
+}
+
+// `to` may be `a`.
 REPOUSSE_VECTOR_CLONES
-void vector_sum(const SweepVector& a, const SweepVector& d, SweepVector& sum) {
+void SweepLine::sum(const Vector& a, const Vector& d, Vector& to) {
     const int32_t modulus = d.modulus;
-    sum.modulus = modulus;
+    to.modulus = modulus;
     REPOUSSE_INDEPENDENT
     for (std::size_t i = 0; i < kSweepPlaces; ++i) {
-        const int32_t rest = a.remainder[i] + d.remainder[i];
+        const int32_t rest = a.rest[i] + d.rest[i];
         const int32_t carry = rest >= modulus ? -1 : 0;
-        sum.remainder[i] = rest - (carry & modulus);
-        sum.value[i] = static_cast<int64_t>(static_cast<uint64_t>(a.value[i]) +
-                                            static_cast<uint64_t>(d.value[i]) -
-                                            static_cast<uint64_t>(static_cast<int64_t>(carry)));
+        to.rest[i] = rest - (carry & modulus);
+        to.value[i] =
+            static_cast<int32_t>(static_cast<uint32_t>(a.value[i]) +
+                                 static_cast<uint32_t>(d.value[i]) - static_cast<uint32_t>(carry));
     }
 }
 
 REPOUSSE_VECTOR_CLONES
-void vector_difference(const SweepVector& a, const SweepVector& d, SweepVector& sum) {
+void SweepLine::difference(const Vector& a, const Vector& d, Vector& to) {
     const int32_t modulus = d.modulus;
-    sum.modulus = modulus;
+    to.modulus = modulus;
     REPOUSSE_INDEPENDENT
     for (std::size_t i = 0; i < kSweepPlaces; ++i) {
-        const int32_t rest = a.remainder[i] - d.remainder[i];
+        const int32_t rest = a.rest[i] - d.rest[i];
         const int32_t borrow = rest < 0 ? -1 : 0;
-        sum.remainder[i] = rest + (borrow & modulus);
-        sum.value[i] = static_cast<int64_t>(static_cast<uint64_t>(a.value[i]) -
-                                            static_cast<uint64_t>(d.value[i]) +
-                                            static_cast<uint64_t>(static_cast<int64_t>(borrow)));
+        to.rest[i] = rest + (borrow & modulus);
+        to.value[i] =
+            static_cast<int32_t>(static_cast<uint32_t>(a.value[i]) -
+                                 static_cast<uint32_t>(d.value[i]) + static_cast<uint32_t>(borrow));
     }
 }
-
-}  // namespace
 
 // ---- registers ----------------------------------------------------------------------------------
 
@@ -56,16 +70,16 @@ SweepLine::Index SweepLine::free_register() {
 }
 
 // The one operation on data: a sum with a remainder. The kinds without remainders have zeros.
-void SweepLine::add(Role to, Index from, Index difference, bool subtract) {
+void SweepLine::add(Role to, Index from, Index which, bool subtract) {
     ++counters_.additions;
     roles_[to] = kInvalid;
     roles_[to] = free_register();
-    const SweepVector &a = registers_[from].vector, &d = registers_[difference].vector;
-    SweepVector& sum = registers_[roles_[to]].vector;
+    const Vector &a = registers_[from].vector, &d = registers_[which].vector;
+    Vector& result = registers_[roles_[to]].vector;
     if (subtract) {
-        vector_difference(a, d, sum);
+        difference(a, d, result);
     } else {
-        vector_sum(a, d, sum);
+        sum(a, d, result);
     }
 }
 
@@ -78,13 +92,13 @@ void SweepLine::start_walk() {
     start_row_ = walk_->edge.row;
     start_step_ = 0;
     sweep_ = triangle_->corners[walk_->edge.from].slot[triangle_->sweep_axis];
-    registers_[Primary].vector = walk_->edge.difference;
+    registers_[Primary].vector = vector_of(walk_->edge.difference);
     roles_[Vstart] = kInvalid;
     roles_[Vstart] = free_register();
-    at(Vstart) = {point_of(walk_->edge, 0), walk_->edge.start};
+    at(Vstart) = {point_of(walk_->edge, 0), vector_of(walk_->edge.start)};
     roles_[Vbase] = kInvalid;
     roles_[Vbase] = free_register();
-    at(Vbase).vector = walk_->base;
+    at(Vbase).vector = vector_of(walk_->base);
     column_fill_ = kept_left_ = 0;
     spare_is_left_ = spare_is_right_ = false;
     roles_[LastLeft] = roles_[LastRight] = kInvalid;
@@ -94,10 +108,10 @@ void SweepLine::start_half() {
     const EdgeWalk& edge = half().edge;
     column_ = 0;
     last_ = half().columns == 1;
-    registers_[Edge].vector = edge.difference;
+    registers_[Edge].vector = vector_of(edge.difference);
     roles_[Vedge] = kInvalid;
     roles_[Vedge] = free_register();
-    at(Vedge) = {point_of(edge, 0), edge.start};
+    at(Vedge) = {point_of(edge, 0), vector_of(edge.start)};
     edge_step_ = 0;
     edge_valid_ = true;
     edge_row_ = edge.row;
@@ -149,8 +163,8 @@ void SweepLine::start_column() {
         const Role corner = other_left() ? Bl : Br;
         const Index place = other_left() ? roles_[Vbase] : static_cast<Index>(Sweep);
         const EdgeWalk& edge = other().edge;
-        at(corner).vector = edge.start;
-        registers_[place].vector = edge.difference;
+        at(corner).vector = vector_of(edge.start);
+        registers_[place].vector = vector_of(edge.difference);
         other_row_ = edge.row;
         other_step_ = 0;
     }

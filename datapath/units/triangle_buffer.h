@@ -1,9 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 
 #include "datapath/fifo.h"
 #include "datapath/span.h"
@@ -27,24 +27,34 @@ struct TriangleBufferCounters {
 };
 
 /// The FIFO/Triangle Buffer Unit (Gumhold and Huettner 2.2): brings displaced and undisplaced
-/// triangles together in the order of their base triangles, and covers latencies.
+/// triangles together in the order of their base triangles, and covers latencies. A vertex leaves
+/// once, before the triangles that refer to it by its number: how many have left since the draw
+/// began.
 ///
 ///  1. `expect`: the controller leaves a token for each base triangle, in order;
-///  2. the source that the oldest token names holds the lock. `push`: displaced triangles enter
-///     while the displacement unit holds it; `finish` ends a base triangle, also one that gave no
-///     triangle, and takes its token away;
+///  2. the source that the oldest token names holds the lock. `push`: displaced vertices, then
+///     triangles, enter while the displacement unit holds it; `finish` ends a base triangle, also
+///     one that gave no triangle, and takes its token away;
 ///  3. `push_direct`: an undisplaced triangle waits in a FIFO of its own until its token is the
-///     oldest, then enters and takes its token away;
-///  4. triangles leave in the order in which they entered.
+///     oldest, then enters with its three vertices and takes its token away;
+///  4. vertices and triangles leave in the order in which they entered.
 ///
 /// Every FIFO has a fixed depth and refuses what it has no room for: the source offers it again.
-/// `T` is the triangle, whatever stands for it.
-template <class T>
+/// `V` is the vertex, whatever stands for it.
+template <class V>
 class TriangleBuffer {
 public:
+    /// An undisplaced triangle.
+    struct Direct {
+        uint32_t base = 0;
+        std::array<V, 3> corners;
+    };
+
+    /// `vertex_depth` is at least 3.
     explicit TriangleBuffer(std::size_t depth = kTriangleBufferDepth,
-                            std::size_t order_depth = kOrderDepth)
-        : order_(order_depth), direct_(order_depth), out_(depth) {}
+                            std::size_t order_depth = kOrderDepth,
+                            std::size_t vertex_depth = kVertexBufferDepth)
+        : order_(order_depth), direct_(order_depth), out_(depth), vertices_(vertex_depth) {}
 
     /// Step 1. False: as many base triangles are under way as the order FIFO has places.
     bool expect(const OrderToken& token) {
@@ -56,18 +66,22 @@ public:
         return true;
     }
 
-    /// Step 2. How many of the triangles entered: none without the lock, the first ones if there
-    /// is not room for all.
-    std::size_t push(Span<const T> triangles) {
-        return push(triangles.size(), [&](std::size_t i, T& place) { place = triangles[i]; });
+    /// Step 2. Vertices, made where they will wait: `make(i, V&)` for the i-th. How many entered:
+    /// none without the lock, the first ones if there is not room for all.
+    template <class Make>
+    std::size_t push_vertices(std::size_t count, Make&& make) {
+        const std::size_t n = enter(vertices_, count, make);
+        vertex_count_ += static_cast<uint32_t>(n);
+        return n;
     }
 
-    /// The same for triangles that are made where they will wait: `make(i, T&)` for the i-th.
+    /// The number of the vertex that enters next.
+    uint32_t vertex_count() const { return vertex_count_; }
+
+    /// Step 2. Triangles, in the same way: `make(i, FineTriangle&)`.
     template <class Make>
     std::size_t push(std::size_t count, Make&& make) {
-        const std::size_t n =
-            locked_by(Route::Displaced) ? out_.push(count, std::forward<Make>(make)) : 0;
-        if (n < count) refuse();
+        const std::size_t n = enter(out_, count, make);
         counters_.triangles += n;
         empty_ = empty_ && n == 0;
         counters_.deepest = std::max(counters_.deepest, out_.size());
@@ -84,7 +98,7 @@ public:
     }
 
     /// Step 3. False: no room for another undisplaced triangle.
-    bool push_direct(const T& triangle) {
+    bool push_direct(const Direct& triangle) {
         if (!direct_.push(triangle)) return refuse();
         counters_.deepest_direct = std::max(counters_.deepest_direct, direct_.size());
         counters_.waits += locked_by(Route::Direct) ? 0 : 1;
@@ -92,10 +106,12 @@ public:
         return true;
     }
 
-    /// Step 4. Hands out everything that waits to leave, as spans, to `sink(Span<const T>)`.
+    /// Step 4. Hands out everything that waits to leave, as spans, to `sink(Span<const V>)` and
+    /// `sink(Span<const FineTriangle>)`.
     template <class Sink>
     void drain(Sink&& sink) {
-        while (!out_.empty()) {
+        while (!out_.empty() || !vertices_.empty()) {
+            vertices_.drain(sink);
             out_.drain(sink);
             settle();
         }
@@ -107,13 +123,17 @@ public:
     bool can_expect() const { return order_.size() < order_.capacity(); }
 
     /// Nothing waits and no base triangle is under way.
-    bool idle() const { return order_.empty() && direct_.empty() && out_.empty(); }
+    bool idle() const {
+        return order_.empty() && direct_.empty() && out_.empty() && vertices_.empty();
+    }
 
     /// Starts a draw: drops everything under way.
     void clear() {
         order_.clear();
         direct_.clear();
         out_.clear();
+        vertices_.clear();
+        vertex_count_ = 0;
         newest_ = Route::Displaced;
         empty_ = true;
     }
@@ -132,6 +152,13 @@ private:
         return false;
     }
 
+    template <class T, class Make>
+    std::size_t enter(Fifo<T>& fifo, std::size_t count, Make& make) {
+        const std::size_t n = locked_by(Route::Displaced) ? fifo.push(count, make) : 0;
+        if (n < count) refuse();
+        return n;
+    }
+
     // The oldest base triangle is complete.
     void release() {
         order_.pop();
@@ -140,8 +167,13 @@ private:
 
     // Undisplaced triangles whose turn has come enter while there is room.
     void settle() {
-        while (locked_by(Route::Direct) && !direct_.empty() && !out_.full()) {
-            out_.push(direct_.front());
+        while (locked_by(Route::Direct) && !direct_.empty() && !out_.full() &&
+               vertices_.size() + 3 <= vertices_.capacity()) {
+            const Direct& triangle = direct_.front();
+            for (const V& corner : triangle.corners) vertices_.push(corner);
+            const uint32_t first = vertex_count_;
+            vertex_count_ += 3;
+            out_.push({triangle.base, {first, first + 1, first + 2}});
             direct_.pop();
             ++counters_.triangles;
             ++counters_.direct;
@@ -151,8 +183,10 @@ private:
     }
 
     Fifo<OrderToken> order_;
-    Fifo<T> direct_;
-    Fifo<T> out_;
+    Fifo<Direct> direct_;
+    Fifo<FineTriangle> out_;
+    Fifo<V> vertices_;
+    uint32_t vertex_count_ = 0;
     Route newest_ = Route::Displaced;  // of the newest token
     bool empty_ = true;                // the one that holds the lock has given no triangle
     TriangleBufferCounters counters_;

@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "testbench/app/commands.h"
+#include "testbench/app/scene_edges.h"
 #include "testbench/cosim/engine_builder.h"
 #include "testbench/cosim/session.h"
+#include "testbench/cosim/tested_edges.h"
 #include "testbench/cosim/vector_file.h"
 #include "testbench/host/files.h"
 #include "tlm/config/profile_reader.h"
@@ -25,6 +28,7 @@ struct CosimOptions {
     cosim::Effort effort;
     uint64_t icarus_vectors = 100'000;
     bool exhaustive = false;
+    std::vector<std::string> scenes;
     std::string output;
 };
 
@@ -53,14 +57,14 @@ std::string rate(double per_second) {
 }
 
 void print_row(const cosim::Outcome& o) {
-    fmt::print("{:<14} {:<16} {:<14} {:>13} {:>10} {:>11}\n", o.unit, o.engine, o.transactions,
+    fmt::print("{:<18} {:<15} {:<30} {:>11} {:>10} {:>9}\n", o.unit, o.engine, o.transactions,
                thousands(o.cases), thousands(o.mismatches),
                o.seconds > 0 ? rate(static_cast<double>(o.cases) / o.seconds) : "-");
     std::fflush(stdout);
 }
 
 void print_head() {
-    fmt::print("{:<14} {:<16} {:<14} {:>13} {:>10} {:>11}\n", "unit", "engine", "transactions",
+    fmt::print("{:<18} {:<15} {:<30} {:>11} {:>10} {:>9}\n", "unit", "engine", "transactions",
                "compared", "mismatches", "vectors/s");
 }
 
@@ -103,8 +107,16 @@ public:
     Status run() {
         const Result<Profile> profile = find_profile(options_.profile);
         if (!profile) return profile.error();
+        const std::vector<std::string> all = units();
+        if (!options_.scenes.empty() && std::count(all.begin(), all.end(), kTestsTop) == 0) {
+            return Error{ErrorKind::Input,
+                         "--scene",
+                         "scenes are for " + std::string(kTestsTop) + ", which is not compared",
+                         {},
+                         {}};
+        }
         print_head();
-        for (const std::string& unit : units()) {
+        for (const std::string& unit : all) {
             const Status done = run_unit(*cosim::make_unit_model(unit, *profile));
             if (!done) return done;
         }
@@ -157,6 +169,29 @@ private:
             if (!replayed) return replayed.error();
             note(*replayed);
         }
+        return model.desc().name == kTestsTop ? run_scenes(model, *verilated) : done();
+    }
+
+    /// The edges of the scenes' own runs, in a row a scene.
+    Status run_scenes(const cosim::UnitModel& model, const cosim::Engine& engine) {
+        for (const std::string& scene : options_.scenes) {
+            cosim::TestedEdges edges(model.profile());
+            Status made = done();
+            const auto recording = [&](const auto& take) {
+                made = for_each_setting(scene, options_.profile,
+                                        [&](const auto& draw) { edges.run(draw, take); });
+            };
+            const auto report = [&](uint64_t n) {
+                progress_.show(fmt::format("{}: {} edges", scene, thousands(n)));
+            };
+            cosim::Outcome outcome =
+                cosim::run_recorded(model, engine, scene, recording, options_.effort, report);
+            if (!made) return made;
+            outcome.transactions =
+                fmt::format("{}, {} distinct", std::filesystem::path(scene).stem().string(),
+                            thousands(edges.distinct()));
+            note(outcome);
+        }
         return done();
     }
 
@@ -168,6 +203,8 @@ private:
         fmt::print("  {}\n", outcome.first_mismatch);
         if (first_mismatch_.empty()) first_mismatch_ = outcome.first_mismatch;
     }
+
+    static constexpr std::string_view kTestsTop = "tessellation_tests";
 
     CosimOptions options_;
     ProgressLine progress_;
@@ -200,6 +237,12 @@ void add_cosim(CLI::App& root, Run& run) {
         ->capture_default_str();
     command->add_flag("--exhaustive", options->exhaustive,
                       "also every transaction of a tiny profile");
+    command
+        ->add_option("--scene", options->scenes,
+                     "also the edges that this scene's run tests, with other thresholds and "
+                     "distances too, through tessellation_tests; repeatable")
+        ->allow_extra_args(false)
+        ->check(CLI::ExistingFile);
     command
         ->add_option("--stalls", options->effort.stalled_percent,
                      "percentage of the batches with random gaps and stalls on every port")

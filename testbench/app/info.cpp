@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "datapath/map_view.h"
+#include "datapath/units/bump_desc.h"
 #include "testbench/app/commands.h"
 #include "testbench/app/job.h"
 
@@ -41,12 +43,16 @@ void print_object(const Job& job, std::size_t i) {
 
 // Bytes of the tables that the units read, built or not.
 void print_tables(const Job& job) {
-    uint64_t heights = 0, normals = 0, sums = 0;
+    uint64_t heights = 0, of_bump = 0, sums = 0;
+    const auto kind = static_cast<BumpKind>(job.device.profile.bump_kind);
+    const uint64_t bump_bytes = kind == BumpKind::Normals ? sizeof(Vec3<int16_t>)
+                                : kind == BumpKind::Turns ? sizeof(Turn<int16_t>)
+                                                          : 0;
     for (const LoadedObject& loaded : job.objects) {
         const uint64_t w = static_cast<uint64_t>(loaded.map.width);
         const uint64_t h = static_cast<uint64_t>(loaded.map.height);
         heights += w * h * sizeof(uint16_t);
-        normals += w * h * sizeof(Vec3<int16_t>);
+        of_bump += w * h * bump_bytes;
         sums += (w + 1) * (h + 1) * sizeof(uint64_t);
     }
     const auto line = [](const char* name, uint64_t bytes, bool made) {
@@ -54,7 +60,8 @@ void print_tables(const Job& job) {
     };
     fmt::print("tables\n");
     line("heights", heights, true);
-    line("normal map", normals, job.device.has_bump());
+    line(kind == BumpKind::Turns ? "angle map" : "normal map", of_bump,
+         job.device.has_bump() && bump_bytes != 0);
     line("summed-area table", sums, job.device.adaptive && job.device.height_test);
 }
 

@@ -14,6 +14,7 @@ DeviceConfig device_for(const Profile& profile, const host::Object& object) {
     DeviceConfig device;
     device.profile = profile;
     device.bump = object.bump;
+    device.shade = object.shade.has_value();
     if (object.method == host::Method::Adaptive) {
         const host::AdaptiveSettings& s = object.adaptive;
         device.adaptive = true;
@@ -25,6 +26,7 @@ DeviceConfig device_for(const Profile& profile, const host::Object& object) {
         device.direct = object.method == host::Method::Direct;
         device.sweep = object.method == host::Method::Sweep;
         device.view_clip = device.sweep && object.sweep.clip;
+        device.levels = device.sweep && object.map.levels.has_value();
     }
     return device;
 }

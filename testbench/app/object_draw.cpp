@@ -44,6 +44,7 @@ template <class P>
 reference::LeafReport judge(const Profile& profile, AdaptiveDraw<P> draw,
                             const std::vector<OutputTriangle<P>>& triangles) {
     draw.registers.cap = 0;
+    draw.registers.use_shade = false;
     AdaptivePipeline<P> base(profile, draw);
     return reference::check_leaves(host::leaves_of<P>(triangles, profile),
                                    host::leaves_of<P>(tessellate(base), profile));
@@ -58,7 +59,7 @@ Result<std::vector<ObjectDraw<P>>> make_draws(const Job& job, const Profile& pro
         Result<ObjectDraw<P>> draw = make_object_draw<P>(profile, job.inputs(i));
         if (!draw) {
             Error error = draw.error();
-            error.where = job.objects[i].object->mark.text();
+            if (error.where.empty()) error.where = job.objects[i].object->mark.text();
             error.what = "object \"" + job.objects[i].object->name + "\": " + error.what;
             return error;
         }
@@ -78,12 +79,10 @@ ObjectOutput<P> run_bare(const Profile& profile, const ObjectDraw<P>& draw,
     };
     const auto sweep = [&](const SweepDraw<P>& d) -> ObjectOutput<P> {
         SweepPipeline<P> pipeline(profile, d);
-        std::vector<SweepOutput<P>> triangles;
-        pipeline.run([&](Span<const SweepOutput<P>> some) {
-            triangles.insert(triangles.end(), some.begin(), some.end());
-        });
+        SweepMesh<P> mesh;
+        pipeline.run(mesh);
         merge_rows(counters, pipeline.counters().rows());
-        return triangles;
+        return mesh;
     };
     return std::visit(Overload{adaptive, sweep}, draw);
 }
@@ -101,11 +100,11 @@ ObjectResult object_result(const Job& job, std::size_t i, const Profile& profile
         if (check) result.invariants = judge(profile, d, triangles);
     };
     const auto sweep = [&](const SweepDraw<P>& d) {
-        const auto& triangles = std::get<std::vector<SweepOutput<P>>>(output);
+        const auto& mesh = std::get<SweepMesh<P>>(output);
         result.base_triangles = d.triangles.size();
-        result.surface = host::surface_mesh(triangles, profile, inputs);
+        result.surface = host::surface_mesh(mesh, profile, inputs);
         if (check) {
-            result.invariants = host::SweepJudge<P>(profile, d, *inputs.mesh).judge(triangles);
+            result.invariants = host::SweepJudge<P>(profile, d, *inputs.mesh).judge(mesh);
         }
     };
     std::visit(Overload{adaptive, sweep}, draw);
@@ -117,6 +116,7 @@ uint64_t table_bytes(const ObjectDraw<P>& draw) {
     const auto of_tables = [](const MapTables<P>& tables) {
         return tables.heights.size() * sizeof(uint16_t) +
                tables.normals.size() * sizeof(Vec3<typename P::Texel>) +
+               tables.turns.size() * sizeof(Turn<typename P::Texel>) +
                tables.sums.size() * sizeof(uint64_t);
     };
     const auto adaptive = [&](const AdaptiveDraw<P>& d) { return of_tables(d.tables); };

@@ -18,7 +18,7 @@ using ObjectDraw = std::variant<AdaptiveDraw<P>, SweepDraw<P>>;
 
 /// What it makes of it. With Fixed: shell::DrawOutput.
 template <class P>
-using ObjectOutput = std::variant<std::vector<OutputTriangle<P>>, std::vector<SweepOutput<P>>>;
+using ObjectOutput = std::variant<std::vector<OutputTriangle<P>>, SweepMesh<P>>;
 
 /// The draws of a job's objects, in their order. Errors name the object's place in the scene.
 template <class P>

@@ -32,6 +32,12 @@ Json map_part(const LoadedObject& loaded) {
                  {"range", {map.range_low, map.range_high}},
                  {"wrap", map.wrap},
                  {"fallback", loaded.object->map.used_fallback}};
+    if (const auto& levels = loaded.object->map.levels) {
+        const bool maximum = loaded.object->map.filter == HeightFilter::Maximum;
+        part["levels"] = {{"kind", host::level_filter_name(*levels)},
+                          {"filter", maximum ? "maximum" : "average"},
+                          {"last", host::level_count(map.width, map.height)}};
+    }
     if (map.has_elevation) part["elevation_m"] = {map.elevation_low_m, map.elevation_high_m};
     if (map.filled_texels > 0) part["filled_texels"] = map.filled_texels;
     return part;

@@ -65,12 +65,14 @@ private:
     std::vector<Phase> phases_;
 };
 
-// All objects in one file, each with its vertices after those of the last.
+// All objects in one file, each with its vertices after those of the last. Normals and colours are
+// there if every object has them.
 host::Mesh joined(const SimResult& result) {
     host::Mesh all;
-    bool with_normals = true;
+    bool with_normals = true, with_colours = true;
     for (const ObjectResult& object : result.objects) {
         with_normals &= !object.surface.normals.empty();
+        with_colours &= !object.surface.colours.empty();
     }
     for (const ObjectResult& object : result.objects) {
         const host::Mesh& mesh = object.surface;
@@ -79,6 +81,9 @@ host::Mesh joined(const SimResult& result) {
         all.uv.insert(all.uv.end(), mesh.uv.begin(), mesh.uv.end());
         if (with_normals) {
             all.normals.insert(all.normals.end(), mesh.normals.begin(), mesh.normals.end());
+        }
+        if (with_colours) {
+            all.colours.insert(all.colours.end(), mesh.colours.begin(), mesh.colours.end());
         }
         for (const auto& t : mesh.triangles) {
             all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});

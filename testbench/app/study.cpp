@@ -2,13 +2,18 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "testbench/app/commands.h"
 #include "testbench/host/files.h"
+#include "testbench/host/image/picture_file.h"
+#include "testbench/study/cache.h"
+#include "testbench/study/figures.h"
 #include "testbench/study/filter.h"
 #include "testbench/study/normalise.h"
 #include "testbench/study/quality.h"
@@ -116,6 +121,84 @@ void add_filter(CLI::App& study, Run& run) {
     sub->callback([options, &run] { run = [options] { return filter(*options); }; });
 }
 
+struct FiguresOptions {
+    std::string scenes = "scenes";
+    std::vector<int> only;
+    std::string output;
+};
+
+// Pictures go into a folder images/ beside the report; without a report none are drawn.
+Status figures(const FiguresOptions& options) {
+    if (const Status folder = check_folder(options.output); !folder) return folder;
+    study::FigureOptions how{options.scenes, !options.output.empty(), progress_line()};
+    const std::string images = host::folder_of(options.output) + "/images";
+    std::error_code failed;  // writing the pictures says so
+    if (how.draw) std::filesystem::create_directories(images, failed);
+    std::vector<study::Figure> made;
+    for (const int number : study::kFigures) {
+        const auto& only = options.only;
+        const bool wanted =
+            only.empty() || std::find(only.begin(), only.end(), number) != only.end();
+        if (!wanted) continue;
+        auto figure = study::make_figure(number, how);
+        if (!figure) return figure.error();
+        for (const study::FigurePicture& picture : figure->pictures) {
+            const std::string file = images + "/" + picture.name + ".png";
+            if (const Status s = host::write_png(file, picture.picture); !s) return s;
+        }
+        figure->pictures.clear();
+        made.push_back(std::move(*figure));
+    }
+    return write_report(study::figures_markdown(made), options.output);
+}
+
+void add_figures(CLI::App& study, Run& run) {
+    auto options = std::make_shared<FiguresOptions>();
+    CLI::App* sub = study.add_subcommand(
+        "figures", "the papers' figures, made again: pictures and their numbers (a minute)");
+    sub->add_option("--only", options->only, "figures to make; all otherwise")
+        ->check(CLI::IsMember(study::kFigures));
+    sub->add_option("--scenes", options->scenes, "folder of the scene files")
+        ->capture_default_str();
+    sub->add_option("-o,--output", options->output,
+                    "Markdown file, pictures in images/ beside it; the terminal otherwise, and no "
+                    "pictures");
+    sub->callback([options, &run] { run = [options] { return figures(*options); }; });
+}
+
+struct CacheOptions {
+    std::string scenes = "scenes";
+    std::string output;
+};
+
+// The figure goes into a folder images/ beside the report.
+Status cache(const CacheOptions& options) {
+    if (const Status folder = check_folder(options.output); !folder) return folder;
+    const auto report = study::cache_study(options.scenes, progress_line());
+    if (!report) return report.error();
+    const std::string stem = std::filesystem::path(options.output).stem().string();
+    const std::string figure = "images/" + (stem.empty() ? "cache" : stem) + ".svg";
+    if (!options.output.empty()) {
+        const std::string target = host::folder_of(options.output) + "/" + figure;
+        std::error_code failed;  // the write below says so
+        std::filesystem::create_directories(host::folder_of(target), failed);
+        if (const Status drawn = host::write_file(target, study::cache_figure(*report)); !drawn) {
+            return drawn;
+        }
+    }
+    return write_report(study::cache_markdown(*report, figure), options.output);
+}
+
+void add_cache(CLI::App& study, Run& run) {
+    auto options = std::make_shared<CacheOptions>();
+    CLI::App* sub = study.add_subcommand(
+        "cache", "texel caches of many shapes under the reads of real scenes (half a minute)");
+    sub->add_option("--scenes", options->scenes, "folder of the scene files")
+        ->capture_default_str();
+    sub->add_option("-o,--output", options->output, "Markdown file; the terminal otherwise");
+    sub->callback([options, &run] { run = [options] { return cache(*options); }; });
+}
+
 Status normalise(const SweepOptions& options) {
     if (const Status folder = check_folder(options.output); !folder) return folder;
     return write_report(study::normalise_markdown(study::normalise_study(options.seed)),
@@ -146,6 +229,8 @@ void add_study(CLI::App& root, Run& run) {
     add_sweep(*study, run);
     add_filter(*study, run);
     add_normalise(*study, run);
+    add_cache(*study, run);
+    add_figures(*study, run);
 }
 
 }  // namespace repousse::app

@@ -7,10 +7,12 @@
 #include <sstream>
 
 #include "datapath/pipelines/sweep_chain_desc.h"
+#include "datapath/pipelines/tessellation_tests_desc.h"
 #include "datapath/units/bump_desc.h"
 #include "datapath/units/controller_desc.h"
 #include "datapath/units/displace_desc.h"
 #include "datapath/units/edge_iter_desc.h"
+#include "datapath/units/footprint_desc.h"
 #include "datapath/units/grid_transform_desc.h"
 #include "datapath/units/height_test_desc.h"
 #include "datapath/units/mid_vertex_desc.h"
@@ -22,6 +24,7 @@
 #include "datapath/units/strip_desc.h"
 #include "datapath/units/sweep_line_desc.h"
 #include "datapath/units/texcoord_test_desc.h"
+#include "datapath/units/texel_cache_desc.h"
 #include "datapath/units/triangle_buffer_desc.h"
 #include "datapath/units/triangle_setup_desc.h"
 #include "datapath/units/triangle_stack_desc.h"
@@ -32,6 +35,7 @@
 #include "testbench/cosim/log2_tables.h"
 #include "testbench/cosim/parameters.h"
 #include "testbench/cosim/power_tables.h"
+#include "testbench/cosim/sine_tables.h"
 
 namespace repousse::cosim {
 namespace {
@@ -93,12 +97,31 @@ Result<std::string> with_tables(const fs::path& path, const std::string& sheet,
 }  // namespace
 
 std::vector<const UnitDesc*> unit_descriptions() {
-    return {&kTriangleStackDesc, &kEdgeIterDesc,        &kMidVertexDesc,  &kTexcoordTestDesc,
-            &kViewTestDesc,      &kDisplaceDesc,        &kBumpDesc,       &kNormalTestDesc,
-            &kHeightTestDesc,    &kVertexTransformDesc, &kViewClipDesc,   &kPerspectiveDesc,
-            &kNormaliseDesc,     &kSplitDesc,           &kStripDesc,      &kGridTransformDesc,
-            &kTriangleSetupDesc, &kSweepLineDesc,       &kControllerDesc, &kTriangleBufferDesc,
-            &kShadeDesc,         &kSweepChainDesc};
+    return {&kTriangleStackDesc,
+            &kEdgeIterDesc,
+            &kMidVertexDesc,
+            &kTexcoordTestDesc,
+            &kViewTestDesc,
+            &kDisplaceDesc,
+            &kBumpDesc,
+            &kNormalTestDesc,
+            &kHeightTestDesc,
+            &kVertexTransformDesc,
+            &kViewClipDesc,
+            &kPerspectiveDesc,
+            &kNormaliseDesc,
+            &kSplitDesc,
+            &kStripDesc,
+            &kGridTransformDesc,
+            &kTriangleSetupDesc,
+            &kSweepLineDesc,
+            &kControllerDesc,
+            &kTriangleBufferDesc,
+            &kShadeDesc,
+            &kTexelCacheDesc,
+            &kFootprintDesc,
+            &kSweepChainDesc,
+            &kTessellationTestsDesc};
 }
 
 std::string verilog_parameters(const UnitDesc& desc, const Profile& profile) {
@@ -161,6 +184,10 @@ Result<std::vector<PrintedFile>> print_descriptions(const fs::path& root, const 
     if (const fs::path path = "rtl/units/grid_transform_tables.svh";
         fs::exists(root / "rtl/units/grid_transform.sv")) {
         const std::string text = verilog_log2_tables();
+        files.push_back({path, text, read_text(root / path) != text});
+    }
+    if (const fs::path path = "rtl/units/bump_tables.svh"; fs::exists(root / "rtl/units/bump.sv")) {
+        const std::string text = verilog_sine_tables();
         files.push_back({path, text, read_text(root / path) != text});
     }
     if (const fs::path path = "rtl/units/shade_tables.svh";

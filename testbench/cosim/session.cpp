@@ -31,8 +31,22 @@ public:
 
     /// `first` numbers the transactions; `stalls` is null for a run at full speed.
     void run(const Scenario& scenario, uint64_t first, Random& random, const Stalls* stalls) {
-        const std::size_t count = model_->count(scenario);
         model_->evaluate(scenario, datapath_outputs_);
+        stream(scenario, first, random, stalls);
+    }
+
+    /// Likewise, with the outputs that were recorded in the place of the datapath's.
+    void run(const Recorded& recorded, uint64_t first, Random& random, const Stalls* stalls) {
+        datapath_outputs_ = recorded.outputs;
+        stream(recorded.scenario, first, random, stalls);
+    }
+
+    UnitModel& model() { return *model_; }
+    const Scoreboard& scoreboard() const { return scoreboard_; }
+
+private:
+    void stream(const Scenario& scenario, uint64_t first, Random& random, const Stalls* stalls) {
+        const std::size_t count = model_->count(scenario);
         engine_outputs_.assign(datapath_outputs_.size(), -1);
         depart_.resize(datapath_outputs_.size() / model_->outputs());
         RepousseBatch batch = plain_batch(count, scenario.inputs.data(), engine_outputs_.data());
@@ -62,10 +76,6 @@ public:
         }
     }
 
-    UnitModel& model() { return *model_; }
-    const Scoreboard& scoreboard() const { return scoreboard_; }
-
-private:
     std::unique_ptr<UnitModel> model_;
     EngineInstance instance_;
     Scoreboard scoreboard_;
@@ -183,6 +193,22 @@ Outcome run_exhaustive(const UnitModel& model, const Engine& engine, const Effor
     };
     crew.work(portion, progress);
     return finish(model, engine, "exhaustive", crew.total(), start);
+}
+
+Outcome run_recorded(const UnitModel& model, const Engine& engine, const std::string& what,
+                     const Recording& recording, const Effort& effort, const Progress& progress) {
+    const auto start = std::chrono::steady_clock::now();
+    Worker worker(model, engine, what);
+    Random random(effort.seed);
+    uint64_t done = 0;
+    recording([&](const Recorded& recorded) {
+        const bool stalled = random.percent(effort.stalled_percent);
+        const Stalls& stalls = kStalls[random.below(kStalls.size())];
+        worker.run(recorded, done, random, stalled ? &stalls : nullptr);
+        done += model.count(recorded.scenario);
+        if (progress) progress(done);
+    });
+    return finish(model, engine, what, worker.scoreboard(), start);
 }
 
 }  // namespace repousse::cosim

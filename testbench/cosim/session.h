@@ -8,6 +8,7 @@
 #include "datapath/error.h"
 #include "testbench/cosim/engine.h"
 #include "testbench/cosim/unit_model.h"
+#include "testbench/cosim/vector_file.h"
 
 namespace repousse::cosim {
 
@@ -43,6 +44,14 @@ Outcome run_random(const UnitModel& model, const Engine& engine,
 /// Streams every transaction of the model's (tiny) profile through an engine.
 Outcome run_exhaustive(const UnitModel& model, const Engine& engine, const Effort& effort,
                        const Progress& progress);
+
+/// Hands recorded transactions to `take`, scenario by scenario.
+using Recording = std::function<void(const std::function<void(const Recorded&)>& take)>;
+
+/// Streams what a recording gives through an engine and compares every transaction with the outputs
+/// that were recorded. `what` says where they come from.
+Outcome run_recorded(const UnitModel& model, const Engine& engine, const std::string& what,
+                     const Recording& recording, const Effort& effort, const Progress& progress);
 
 /// Replays vectors in Icarus Verilog, with random gaps and stalls: the hard cases and `vectors`
 /// random transactions. The RTL is taken from below `root`.

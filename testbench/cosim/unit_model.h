@@ -36,6 +36,9 @@ public:
     /// Whether the unit has a read port, so that its scenarios have a table.
     virtual bool reads_table() const { return false; }
 
+    /// Bits of an entry of its table, at most 64: as vector files have it, or more than it needs.
+    virtual int entry_bits() const { return profile_.sat_width; }
+
     /// Random transactions under one setting of the registers: long against any pipeline, small
     /// against a cache.
     virtual std::size_t batch() const { return 4096; }
@@ -92,15 +95,20 @@ std::unique_ptr<UnitModel> make_view_test_model(const Profile& profile);
 std::unique_ptr<UnitModel> make_height_test_model(const Profile& profile);
 std::unique_ptr<UnitModel> make_normal_test_model(const Profile& profile);
 std::unique_ptr<UnitModel> make_edge_iter_model(const Profile& profile);
+std::unique_ptr<UnitModel> make_mid_vertex_model(const Profile& profile);
 std::unique_ptr<UnitModel> make_split_model(const Profile& profile);
 std::unique_ptr<UnitModel> make_displace_model(const Profile& profile);
+std::unique_ptr<UnitModel> make_bump_model(const Profile& profile);
 std::unique_ptr<UnitModel> make_view_clip_model(const Profile& profile);
 std::unique_ptr<UnitModel> make_perspective_model(const Profile& profile);
+std::unique_ptr<UnitModel> make_footprint_model(const Profile& profile);
 std::unique_ptr<UnitModel> make_normalise_model(const Profile& profile);
 std::unique_ptr<UnitModel> make_grid_transform_model(const Profile& profile);
 std::unique_ptr<UnitModel> make_strip_model(const Profile& profile);
 std::unique_ptr<UnitModel> make_sweep_chain_model(const Profile& profile);
 std::unique_ptr<UnitModel> make_sweep_line_model(const Profile& profile);
 std::unique_ptr<UnitModel> make_shade_model(const Profile& profile);
+std::unique_ptr<UnitModel> make_tessellation_tests_model(const Profile& profile);
+std::unique_ptr<UnitModel> make_texel_cache_model(const Profile& profile);
 
 }  // namespace repousse::cosim

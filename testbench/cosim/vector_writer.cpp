@@ -23,7 +23,7 @@ public:
         header_ += fmt::format("// unit {}\n// schema 1\n// seed {}\n", model.desc().name, seed);
         header_ += fmt::format("// parameters {:016x}\n", parameter_hash(model));
         for (const Field& field : fields_) header_ += field.header() + '\n';
-        entry_.width = model.profile().sat_width;
+        entry_.width = model.entry_bits();
         entry_.is_signed = false;
     }
 

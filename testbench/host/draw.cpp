@@ -4,10 +4,12 @@
 #include <cmath>
 #include <type_traits>
 
+#include "datapath/units/bump_desc.h"
 #include "datapath/units/edge_iter.h"
 #include "testbench/host/encoder.h"
 #include "testbench/host/map/summed_area_table.h"
 #include "testbench/host/scene/assets.h"
+#include "testbench/host/shade_registers.h"
 
 namespace repousse::host {
 namespace {
@@ -58,6 +60,14 @@ Status check_domain(const Profile& profile, const AdaptiveDraw<P>& draw) {
                      "at least one fraction bit of uv",
                      "read the nearest texel or choose a wider uv"};
     }
+    if (draw.registers.use_normal_test && draw.registers.normal_space == NormalSpace::Map &&
+        profile.bump_kind == static_cast<int>(BumpKind::Slopes)) {
+        return Error{ErrorKind::Input,
+                     {},
+                     "bump by differences of heights makes no normal in map space",
+                     "bump_kind = 0 or 2 in the profile",
+                     "compare in world space or choose another profile"};
+    }
     if (!draw.registers.use_height_test) return done();
     HeightTest unit(profile);
     const Status registers = unit.check(draw.registers.height_test, draw.tables.sums.size());
@@ -91,8 +101,11 @@ DrawInputs draw_inputs(const Scene& scene, const Object& object, const Mesh& mes
     inputs.settings = object.adaptive;
     inputs.sweep = object.sweep;
     inputs.filter = object.map.filter;
+    inputs.levels = object.map.levels;
     inputs.uv = object.map.uv;
     inputs.bump = object.bump;
+    inputs.shade = object.shade;
+    inputs.lights = scene.lights;
     inputs.texel_size = texel_size(mesh, map, object.map.uv);
     inputs.view = view_frame(scene.camera, scene.viewport);
     inputs.camera = scene.camera;
@@ -142,6 +155,13 @@ Result<AdaptiveDraw<P>> make_draw(const Profile& profile, const DrawInputs& inpu
         draw.tables.sums = summed_area_table(stored, profile.sat_width);
     }
     if (draw.registers.use_view_test) draw.camera = encode.camera(inputs.view);
+    if (inputs.shade) {
+        const Result<ShadeRegisters<P>> shade = make_shade_registers<P>(profile, inputs);
+        if (!shade) return shade.error();
+        draw.registers.use_shade = true;
+        draw.registers.shade = *shade;
+        draw.camera.eye = shade->eye;
+    }
     const Status fits = encode.status();
     if (!fits) return fits.error();
     const Status domain = check_domain(profile, draw);

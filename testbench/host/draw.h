@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,9 +25,12 @@ struct DrawInputs {
     AdaptiveSettings settings;
     SweepSettings sweep;
     HeightFilter filter = HeightFilter::Nearest;
+    std::optional<LevelFilter> levels;  ///< filter levels that `filter` reads
     UvSpan uv = UvSpan::Edges;
-    bool bump = false;           ///< displaced normals are wanted in the output
-    glm::dvec2 texel_size{0.0};  ///< world units a texel, for the finite differences
+    bool bump = false;              ///< displaced normals are wanted in the output
+    std::optional<Material> shade;  ///< colours are wanted
+    std::vector<Light> lights;      ///< of the scene
+    glm::dvec2 texel_size{0.0};     ///< world units a texel, for the finite differences
     ViewFrame view;
     CameraSettings camera;  ///< `view` is its frame on this viewport
     Viewport viewport;

@@ -1,8 +1,9 @@
 #include "testbench/host/encoder.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "testbench/host/map/normal_map.h"
+#include "testbench/host/map/level_table.h"
 
 namespace repousse::host {
 
@@ -28,7 +29,7 @@ std::vector<Vertex<P>> Encoder<P>::vertices(const DrawInputs& inputs) {
 // D = h * scale + bias. Fixed: 16-bit heights lose their low bits to a narrower format first, and
 // the scale becomes kScaleBits significant bits, fewer where the exponent would not fit a cast.
 template <class P>
-void Encoder<P>::map(const DrawInputs& inputs, bool with_normals, MapView<P>& view,
+void Encoder<P>::map(const DrawInputs& inputs, bool with_bump, MapView<P>& view,
                      MapTables<P>& tables) {
     const HeightMap& source = *inputs.map;
     view.width = source.width;
@@ -38,6 +39,12 @@ void Encoder<P>::map(const DrawInputs& inputs, bool with_normals, MapView<P>& vi
     view.bias = value(source.range_low, &Profile::displacement, "displacement");
     value(source.range_high, &Profile::displacement, "displacement");
     tables.heights = source.texels;
+    if (inputs.levels) {
+        LevelTable levels = make_level_table(source, *inputs.levels);
+        tables.heights = std::move(levels.heights);
+        view.last_level = levels.last_level;
+        view.has_minima = levels.has_minima;
+    }
     const double range = source.range_high - source.range_low;
     if constexpr (std::is_same_v<P, Real>) {
         view.scale_mantissa = range / 65535.0;
@@ -52,12 +59,7 @@ void Encoder<P>::map(const DrawInputs& inputs, bool with_normals, MapView<P>& vi
         view.scale_mantissa =
             static_cast<int32_t>(std::lround(std::ldexp(scale, view.scale_exponent)));
     }
-    if (!with_normals) return;
-    for (const glm::dvec3& n : normal_map(source, inputs.texel_size.x, inputs.texel_size.y)) {
-        const auto v = vector(n, &Profile::map_normal, "map normal");
-        using Texel = typename P::Texel;
-        tables.normals.push_back({Texel(v.x), Texel(v.y), Texel(v.z)});
-    }
+    if (with_bump) bump(inputs, view, tables);
 }
 
 template <class P>

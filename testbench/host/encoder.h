@@ -55,12 +55,17 @@ public:
     /// The base mesh's vertices: uv, position, normal, tangent and handedness.
     std::vector<Vertex<P>> vertices(const DrawInputs& inputs);
 
-    /// The displacement map's registers and heights, and its normals if they are wanted.
-    void map(const DrawInputs& inputs, bool with_normals, MapView<P>& map, MapTables<P>& tables);
+    /// The displacement map's registers and heights, with filter levels if there are any, and its
+    /// table for bump if it is wanted.
+    void map(const DrawInputs& inputs, bool with_bump, MapView<P>& map, MapTables<P>& tables);
 
     ViewRegisters<P> camera(const ViewFrame& view);
 
 private:
+    // The table and registers of the profile's kind of bump: encoder_bump.cpp.
+    void bump(const DrawInputs& inputs, MapView<P>& view, MapTables<P>& tables);
+    SlopeScale<P> slope_scale(const HeightMap& map, double texel_size);
+
     const Profile& profile_;
     std::string what_;
 };

@@ -10,12 +10,13 @@
 #include <glm/geometric.hpp>
 
 #include "testbench/host/scene/assets.h"
+#include "testbench/host/shade_registers.h"
 
 namespace repousse::host {
 namespace {
 
 // A corner's words: what has the same words is the same vertex.
-using Key = std::array<uint64_t, 7>;
+using Key = std::array<uint64_t, 10>;
 
 struct KeyHash {
     std::size_t operator()(const Key& key) const {
@@ -41,7 +42,10 @@ Key key_of(const OutputVertex& v) {
             bits(v.displaced.z),
             bits(v.displaced_normal.x),
             bits(v.displaced_normal.y),
-            bits(v.displaced_normal.z)};
+            bits(v.displaced_normal.z),
+            bits(v.colour.red),
+            bits(v.colour.green),
+            bits(v.colour.blue)};
 }
 
 template <class V>
@@ -69,9 +73,9 @@ double bilinear_height(const HeightMap& map, glm::dvec2 texel) {
     return (lower + (upper - lower) * fy) / 65535.;
 }
 
-// `Output`: OutputTriangle<P> or SweepOutput<P>.
-template <class P, class Output>
-Mesh mesh_of(const std::vector<Output>& triangles, const Profile& profile,
+// `corner(t, k)` is corner k of triangle t.
+template <class P, class Corner>
+Mesh mesh_of(std::size_t triangles, Corner&& corner, const Profile& profile,
              const DrawInputs& inputs) {
     const bool is_real = std::is_same_v<P, Real>;
     const int position_frac = is_real ? 0 : profile.position.frac;
@@ -79,11 +83,11 @@ Mesh mesh_of(const std::vector<Output>& triangles, const Profile& profile,
     const bool has_normals = inputs.bump || inputs.settings.normal_threshold.has_value();
     Mesh mesh;
     std::unordered_map<Key, uint32_t, KeyHash> numbers;
-    mesh.triangles.reserve(triangles.size());
-    for (const Output& triangle : triangles) {
+    mesh.triangles.reserve(triangles);
+    for (std::size_t t = 0; t < triangles; ++t) {
         std::array<uint32_t, 3> corners;
         for (std::size_t k = 0; k < 3; ++k) {
-            const auto& v = triangle.corners[k];
+            const auto& v = corner(t, k);
             const auto next = static_cast<uint32_t>(mesh.positions.size());
             const auto [entry, is_new] = numbers.emplace(key_of(v), next);
             corners[k] = entry->second;
@@ -93,6 +97,7 @@ Mesh mesh_of(const std::vector<Output>& triangles, const Profile& profile,
             if (has_normals) {
                 mesh.normals.push_back(to_double(v.displaced_normal, normal_frac));
             }
+            if (inputs.shade) mesh.colours.push_back(linear_light<P>(v.colour, profile));
         }
         mesh.triangles.push_back(corners);
     }
@@ -104,19 +109,25 @@ Mesh mesh_of(const std::vector<Output>& triangles, const Profile& profile,
 template <class P>
 Mesh surface_mesh(const std::vector<OutputTriangle<P>>& triangles, const Profile& profile,
                   const DrawInputs& inputs) {
-    return mesh_of<P>(triangles, profile, inputs);
+    const auto corner = [&](std::size_t t, std::size_t k) -> const OutputVertex<P>& {
+        return triangles[t].corners[k];
+    };
+    return mesh_of<P>(triangles.size(), corner, profile, inputs);
 }
 
 template <class P>
-Mesh surface_mesh(const std::vector<SweepOutput<P>>& triangles, const Profile& profile,
-                  const DrawInputs& inputs) {
-    return mesh_of<P>(triangles, profile, inputs);
+Mesh surface_mesh(const SweepMesh<P>& mesh, const Profile& profile, const DrawInputs& inputs) {
+    const auto corner = [&](std::size_t t, std::size_t k) -> const SweepOutputVertex<P>& {
+        return mesh.corner(mesh.triangles[t], k);
+    };
+    return mesh_of<P>(mesh.triangles.size(), corner, profile, inputs);
 }
 
 RenderMesh surface_view(const Mesh& surface, const DrawInputs& inputs) {
     RenderMesh view;
     view.positions = surface.positions;
     view.triangles = surface.triangles;
+    view.colours = surface.colours;
     for (const glm::dvec3& n : surface.normals) {
         const double length = glm::length(n);
         view.normals.push_back(length > 0 ? n / length : glm::dvec3(0, 0, 1));
@@ -132,9 +143,7 @@ template Mesh surface_mesh(const std::vector<OutputTriangle<Fixed>>&, const Prof
                            const DrawInputs&);
 template Mesh surface_mesh(const std::vector<OutputTriangle<Real>>&, const Profile&,
                            const DrawInputs&);
-template Mesh surface_mesh(const std::vector<SweepOutput<Fixed>>&, const Profile&,
-                           const DrawInputs&);
-template Mesh surface_mesh(const std::vector<SweepOutput<Real>>&, const Profile&,
-                           const DrawInputs&);
+template Mesh surface_mesh(const SweepMesh<Fixed>&, const Profile&, const DrawInputs&);
+template Mesh surface_mesh(const SweepMesh<Real>&, const Profile&, const DrawInputs&);
 
 }  // namespace repousse::host

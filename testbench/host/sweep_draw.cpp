@@ -9,6 +9,7 @@
 #include "testbench/host/clip_registers.h"
 #include "testbench/host/encoder.h"
 #include "testbench/host/map/displacement_bound.h"
+#include "testbench/host/shade_registers.h"
 #include "testbench/host/z_table.h"
 
 namespace repousse::host {
@@ -30,18 +31,36 @@ Depths depths_of(const DrawInputs& inputs, double w_min) {
     return depths;
 }
 
+/// max |D| in world units of a map with its filter levels. A level may be higher than all that it
+/// replaces under a triangle, since its texels reach beyond the triangle, so it is one for all.
+template <class P>
+double most_of_levels(const Profile& profile, const DrawInputs& inputs, const SweepDraw<P>& draw) {
+    const HeightMap& map = *inputs.map;
+    const auto [least, greatest] =
+        std::minmax_element(draw.tables.heights.begin(), draw.tables.heights.end());
+    const double scale =
+        (map.range_high - map.range_low) / static_cast<double>(profile.height.max_raw());
+    return std::max(std::abs(map.range_low + *least * scale),
+                    std::abs(map.range_low + *greatest * scale)) +
+           stored_height_slack(profile, map);
+}
+
 template <class P>
 Status set_triangles(const Profile& profile, const DrawInputs& inputs, SweepDraw<P>& draw) {
     const DisplacementBound bound(*inputs.map, stored_height_slack(profile, *inputs.map));
+    const double of_levels =
+        reads_levels(inputs.filter) ? most_of_levels(profile, inputs, draw) : 0.0;
     for (const auto& corners : inputs.mesh->triangles) {
         SweepBase<P> triangle;
         triangle.vertices = corners;
         triangle.direct = inputs.method == Method::Direct;
         if (!triangle.direct) {
             const double most =
-                bound.of_triangle({draw.vertices[corners[0]].uv, draw.vertices[corners[1]].uv,
-                                   draw.vertices[corners[2]].uv},
-                                  profile.uv.frac);
+                reads_levels(inputs.filter)
+                    ? of_levels
+                    : bound.of_triangle({draw.vertices[corners[0]].uv, draw.vertices[corners[1]].uv,
+                                         draw.vertices[corners[2]].uv},
+                                        profile.uv.frac);
             const auto value = max_displacement_register<P>(profile, most);
             if (!value) return value.error();
             triangle.max_displacement = *value;
@@ -64,6 +83,15 @@ Result<SweepDraw<P>> make_sweep_draw(const Profile& profile, const DrawInputs& i
                      "components = 13",
                      "leave out [object.bump] or choose a wider profile"};
     }
+    const bool weighs =
+        inputs.filter == HeightFilter::Bilinear || inputs.filter == HeightFilter::Average;
+    if (weighs && profile.uv.frac == 0) {
+        return Error{ErrorKind::Input,
+                     {},
+                     "heights of several texels are weighed by fractions of a texel",
+                     "at least one fraction bit of uv",
+                     "read the nearest or the highest texel or choose a wider uv"};
+    }
     SweepDraw<P> draw;
     Encoder<P> encode(profile);
     draw.vertices = encode.vertices(inputs);
@@ -71,6 +99,12 @@ Result<SweepDraw<P>> make_sweep_draw(const Profile& profile, const DrawInputs& i
     draw.camera = encode.camera(inputs.view);
     SweepRegisters<P>& r = draw.registers;
     r.use_bump = inputs.bump;
+    if (inputs.shade) {
+        const Result<ShadeRegisters<P>> shade = make_shade_registers<P>(profile, inputs);
+        if (!shade) return shade.error();
+        r.use_shade = true;
+        r.shade = *shade;
+    }
     r.use_clip = inputs.method == Method::Sweep && s.clip;
 
     const double w_min = s.w_min.value_or(inputs.camera.near);

@@ -14,7 +14,8 @@ namespace repousse::host {
 ///  - z_offset puts the object's depths, in grid units, around 0, so that the guard band is spent
 ///    on the object and not on the way to it;
 ///  - w_scale is the least w of the object's vertices, so that c uses its format up to 1;
-///  - every base triangle gets the largest displacement of the texels under it.
+///  - every base triangle gets the largest displacement of the texels under it, or, with filter
+///    levels, of the map and all its levels.
 ///
 /// Errors: a position, texture coordinate or register that the profile cannot hold; displaced
 /// normals with a profile whose registers have no place for tangents.

@@ -19,7 +19,7 @@ namespace repousse::host {
 struct SweepInvariants {
     std::size_t open_edges = 0;    ///< fine half-edges without a partner, the base mesh's rim and
                                    ///< its non-manifold edges excepted
-    std::size_t cracked = 0;       ///< vertices of one name in different places
+    std::size_t cracked = 0;       ///< vertices of one name in different places or colours
     std::size_t seam_cracked = 0;  ///< vertices on a seam whose copies lie in different places
     std::size_t degenerate = 0;    ///< fine triangles that are not positive on the grid
     std::size_t uncovered = 0;     ///< base triangles that are not covered exactly once
@@ -50,14 +50,14 @@ public:
         setup_.configure(draw.registers.setup);
     }
 
-    /// `triangles` in the order of their base triangles.
-    SweepInvariants judge(const std::vector<SweepOutput<P>>& triangles) {
-        const reference::FineReport joined = judge_names(triangles, true);
+    SweepInvariants judge(const SweepMesh<P>& mesh) {
+        mesh_ = &mesh;
+        const reference::FineReport joined = judge_names(true);
         SweepInvariants result;
         result.open_edges = joined.open_edges - joined.rim_edges;
-        result.cracked = judge_names(triangles, false).cracked;
+        result.cracked = judge_names(false).cracked;
         result.seam_cracked = joined.cracked - std::min(joined.cracked, result.cracked);
-        for_each_base(triangles, [&](Span<const SweepOutput<P>> part) {
+        for_each_base([&](Span<const FineTriangle> part) {
             const reference::CoverReport cover = judge_cover(part);
             result.degenerate += cover.not_positive;
             result.uncovered += !cover.exact();
@@ -66,14 +66,16 @@ public:
     }
 
 private:
+    using V = typename P::Value;
     using Steps = std::array<int32_t, 3>;  // of each edge
 
     template <class Sink>
-    static void for_each_base(const std::vector<SweepOutput<P>>& triangles, Sink&& sink) {
+    void for_each_base(Sink&& sink) const {
+        const std::vector<FineTriangle>& triangles = mesh_->triangles;
         for (std::size_t i = 0; i < triangles.size();) {
             std::size_t end = i;
             while (end < triangles.size() && triangles[end].base == triangles[i].base) ++end;
-            sink(Span<const SweepOutput<P>>(triangles.data() + i, end - i));
+            sink(Span<const FineTriangle>(triangles.data() + i, end - i));
             i = end;
         }
     }
@@ -86,13 +88,14 @@ private:
     }
 
     /// Every step of an edge is there, or the edge is open: the last one tells the number.
-    static Steps steps_of(Span<const SweepOutput<P>> triangles) {
+    Steps steps_of(Span<const FineTriangle> triangles) const {
         Steps steps = {1, 1, 1};
-        for (const SweepOutput<P>& triangle : triangles) {
-            for (const auto& corner : triangle.corners) {
-                if (corner.name.kind != NameKind::Edge) continue;
-                int32_t& most = steps[corner.name.part];
-                most = std::max(most, corner.name.a + 1);
+        for (const FineTriangle& triangle : triangles) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                const VertexName& name = mesh_->corner(triangle, k).name;
+                if (name.kind != NameKind::Edge) continue;
+                int32_t& most = steps[name.part];
+                most = std::max(most, name.a + 1);
             }
         }
         return steps;
@@ -105,14 +108,13 @@ private:
         return forward ? name.a : steps[name.part] - name.a;
     }
 
-    reference::FineReport judge_names(const std::vector<SweepOutput<P>>& triangles, bool joined) {
+    reference::FineReport judge_names(bool joined) {
         using reference::FineName;
         std::vector<std::array<uint32_t, 3>> base;
-        for_each_base(triangles, [&](Span<const SweepOutput<P>> part) {
-            base.push_back(ids(part[0].base, joined));
-        });
+        for_each_base(
+            [&](Span<const FineTriangle> part) { base.push_back(ids(part[0].base, joined)); });
         checker_.start(base);
-        for_each_base(triangles, [&](Span<const SweepOutput<P>> part) {
+        for_each_base([&](Span<const FineTriangle> part) {
             const uint32_t number = part[0].base;
             const std::array<uint32_t, 3> id = ids(number, joined);
             const Steps steps = steps_of(part);
@@ -128,11 +130,14 @@ private:
                 return {FineName::Kind::Edge, std::min(from, to), std::max(from, to),
                         from < to ? step : steps[name.part] - step, 0};
             };
-            for (const SweepOutput<P>& triangle : part) {
+            for (const FineTriangle& triangle : part) {
                 std::array<FineName, 3> names;
                 for (std::size_t k = 0; k < 3; ++k) {
-                    names[k] = name_of(triangle.corners[k].name);
-                    checker_.add_vertex(names[k], digest(triangle.corners[k].displaced));
+                    const SweepOutputVertex<P>& corner = mesh_->corner(triangle, k);
+                    names[k] = name_of(corner.name);
+                    // Copies on a seam may have normals, and so colours, of their own.
+                    const Colour<V> colour = joined ? Colour<V>{} : corner.colour;
+                    checker_.add_vertex(names[k], digest(corner.displaced, colour));
                 }
                 checker_.add_triangle(names);
             }
@@ -141,9 +146,9 @@ private:
         return checker_.finish();
     }
 
-    static uint64_t digest(const Vec3<typename P::Value>& place) {
+    static uint64_t digest(const Vec3<V>& place, const Colour<V>& colour) {
         reference::Digest digest;
-        for (const auto value : {place.x, place.y, place.z}) {
+        for (const V value : {place.x, place.y, place.z, colour.red, colour.green, colour.blue}) {
             uint64_t word = 0;
             std::memcpy(&word, &value, sizeof value);
             digest.add(word);
@@ -152,7 +157,7 @@ private:
     }
 
     /// The slots and the remeshing plane are the device's own; the cover is judged without it.
-    reference::CoverReport judge_cover(Span<const SweepOutput<P>> triangles) {
+    reference::CoverReport judge_cover(Span<const FineTriangle> triangles) {
         using Kind = reference::CoverVertex::Kind;
         const uint32_t number = triangles[0].base;
         if (draw_.triangles[number].direct) return direct_cover(triangles.size());
@@ -174,10 +179,10 @@ private:
         }
         const Steps steps = steps_of(triangles);
         cover_.start(base);
-        for (const SweepOutput<P>& triangle : triangles) {
+        for (const FineTriangle& triangle : triangles) {
             reference::CoverTriangle covering;
             for (std::size_t k = 0; k < 3; ++k) {
-                const VertexName& name = triangle.corners[k].name;
+                const VertexName& name = mesh_->corner(triangle, k).name;
                 switch (name.kind) {
                     case NameKind::Corner:
                         covering[k] = {Kind::Corner, name.part, 0, 0};
@@ -204,6 +209,7 @@ private:
     }
 
     const SweepDraw<P>& draw_;
+    const SweepMesh<P>* mesh_ = nullptr;  // that is judged
     std::vector<uint32_t> welded_;
     VertexTransform<P> transform_;
     GridTransform<P> grid_;

@@ -126,6 +126,17 @@ elevations hole json 'hole\.json: texel \(1, 0\) is not finite.*fill_voids'
 printf 'CDF\x01\0\0\0\0\0\0\0\n' > "$folder/truncated.nc"
 elevations truncated nc 'truncated\.nc: offset [0-9]+: '
 
+# Lights that the unit `shade` has no registers for.
+{
+    cat "$folder/good.toml"
+    printf '[object.shade]\n[[light]]\ndirection = [1, 0, 0]\n[[light]]\ndirection = [0, 1, 0]\n'
+} > "$folder/lights.toml"
+expect too_many_lights 2 'lights\.toml:[0-9]+:[0-9]+: object "thing": the scene has 3 lights' \
+    sim "$folder/lights.toml" --profile narrow -o "$folder/out"
+sed -E 's/^direction.*/&\ncolour = [16, 0, 0]/' "$folder/lights.toml" > "$folder/bright.toml"
+expect too_bright 2 'bright\.toml:[0-9]+:[0-9]+: .*light 1 times the diffuse colour.*u2\.10' \
+    sim "$folder/bright.toml" -o "$folder/out"
+
 expect no_scene 2 'nowhere\.toml' sim "$folder/nowhere.toml" -o "$folder/out"
 expect no_command 2 'subcommand' --bogus
 expect level_not_built 2 'not built yet' sim "$folder/good.toml" --level at -o "$folder/out"

@@ -35,6 +35,11 @@ expect 0 "$program" cosim --help -- --vectors --icarus --exhaustive --stalls --s
 expect 0 "$program" cosim --vectors 200000 --icarus 5000 -- \
     texcoord_test view_test height_test Verilator Icarus vectors/s
 expect 0 "$program" cosim view_test --vectors 20000 --icarus 0 --profile narrow --seed 7 -- view_test
+expect 0 "$program" cosim tessellation_tests --vectors 2000 --icarus 0 \
+    --scene scenes/donut_small.toml --scene scenes/jacksboro_small.toml -- \
+    "donut_small, " "jacksboro_small, " " distinct"
+expect 2 "$program" cosim view_test --scene scenes/donut_small.toml -- "scenes are for"
+expect 2 "$program" cosim --scene "$work/none.toml" -- none.toml
 expect 2 "$program" cosim no_such_unit -- no_such_unit
 expect 2 "$program" cosim --stalls 101 -- stalls
 expect 2 "$program" cosim --profile "$work/none.toml" -- none.toml

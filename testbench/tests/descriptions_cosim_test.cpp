@@ -65,7 +65,8 @@ INSTANTIATE_TEST_SUITE_P(Units, Vectors,
                          testing::Values("texcoord_test", "view_test", "normal_test", "edge_iter",
                                          "split", "displace", "height_test", "grid_transform",
                                          "view_clip", "perspective", "strip", "sweep_line", "shade",
-                                         "normalise"),
+                                         "normalise", "mid_vertex", "bump", "tessellation_tests",
+                                         "texel_cache"),
                          [](const auto& unit) { return unit.param; });
 
 TEST_P(Vectors, CommittedOnesAreTheHardCasesWithTheDatapathsOutputs) {

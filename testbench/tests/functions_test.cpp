@@ -309,5 +309,35 @@ TEST(InverseSqrt, SeedsFitTheirRom) {
     }
 }
 
+// Batches of every length, with numbers of every length.
+TEST(Functions, BatchesGiveWhatSingleNumbersDo) {
+    std::mt19937_64 random(kSeed);
+    for (const Configuration& c : {Configuration{7, 2, 24}, {5, 0, 24}, {2, 1, 20}, {12, 2, 29}}) {
+        const Reciprocal reciprocal(c.index_bits, c.newton_steps, c.mantissa_bits);
+        const InverseSqrt inverse_sqrt(c.index_bits, c.newton_steps, c.mantissa_bits);
+        for (std::size_t n = 0; n <= kFunctionBatch; ++n) {
+            std::vector<std::int32_t> x(n), mantissas(n), exponents(n);
+            std::vector<std::int64_t> squares(n);
+            for (std::size_t i = 0; i < n; ++i) {
+                x[i] = static_cast<std::int32_t>(random() >> (33 + random() % 31) | 1);
+                squares[i] = static_cast<std::int64_t>(random() >> (1 + random() % 63));
+            }
+            reciprocal(x.data(), n, mantissas.data(), exponents.data());
+            for (std::size_t i = 0; i < n; ++i) {
+                const Scaled r = reciprocal(static_cast<std::uint64_t>(x[i]));
+                ASSERT_EQ(mantissas[i], r.mantissa) << x[i];
+                ASSERT_EQ(exponents[i], r.exponent) << x[i];
+            }
+            inverse_sqrt(squares.data(), n, mantissas.data(), exponents.data());
+            for (std::size_t i = 0; i < n; ++i) {
+                const auto q = static_cast<std::uint64_t>(squares[i] == 0 ? 1 : squares[i]);
+                const Scaled r = inverse_sqrt(q);
+                ASSERT_EQ(mantissas[i], r.mantissa) << squares[i];
+                ASSERT_EQ(exponents[i], r.exponent) << squares[i];
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace repousse

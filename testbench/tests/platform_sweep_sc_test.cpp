@@ -51,6 +51,17 @@ TEST(SweepPlatform, WithNormals) {
     expect_equal(profile, {sweep_draw(profile, true)});
 }
 
+TEST(SweepPlatform, WithFilterLevels) {
+    using host::LevelFilter;
+    const Profile profile = test::profile_with("default", {});
+    expect_equal(profile, {test::level_draw(profile, LevelFilter::BoxMaximum),
+                           test::level_draw(profile, LevelFilter::Average, HeightFilter::Average),
+                           sweep_draw(profile, false, 4),
+                           test::level_draw(profile, LevelFilter::Variational)});
+    const Profile narrow = test::profile_with("narrow", {});
+    expect_equal(narrow, {test::level_draw(narrow, LevelFilter::BoxMaximum)});
+}
+
 TEST(SweepPlatform, DirectTrianglesKeepTheirPlace) {
     const Profile profile = test::profile_with("default", {});
     for (const unsigned percent : {10U, 50U, 100U}) {
@@ -120,9 +131,10 @@ TEST(SweepPlatform, UnusedUnitsChangeNothing) {
 
 TEST(SweepPlatform, MissingUnitsAreReported) {
     const Profile profile = test::profile_with("default", {});
-    const Draws draws = {sweep_draw(profile, true, 4)};
-    for (bool DeviceConfig::*unit :
-         {&DeviceConfig::sweep, &DeviceConfig::bump, &DeviceConfig::view_clip}) {
+    const Draws draws = {sweep_draw(profile, true, 4),
+                         test::level_draw(profile, host::LevelFilter::Average)};
+    for (bool DeviceConfig::*unit : {&DeviceConfig::sweep, &DeviceConfig::bump,
+                                     &DeviceConfig::view_clip, &DeviceConfig::levels}) {
         DeviceConfig config = test::config_for(profile, draws);
         config.*unit = false;
         EXPECT_EXIT(std::exit(test::compare(config, draws)), testing::ExitedWithCode(2),
@@ -144,6 +156,8 @@ int bad_frames(const Profile& profile) {
         {[](auto& d) { d.registers.grid.w_scale = d.registers.grid.w_min - 1; },
          "a register is out of its range"},
         {[](auto& d) { d.map.width = 0; }, "a register is out of its range"},
+        {[](auto& d) { d.map.last_level = 1; }, "a register is out of its range"},
+        {[](auto& d) { d.map.filter = HeightFilter::Maximum; }, "needs a unit that was not built"},
         {[](auto& d) { d.triangles[7].vertices[2] = 36; }, "an index names no vertex"},
         {[](auto& d) { d.triangles.back().vertices[0] = 0xffffffff; }, "an index names no vertex"},
         {[](auto& d) { d.triangles[7].max_displacement = -1; },
@@ -172,17 +186,6 @@ int bad_frames(const Profile& profile) {
 TEST(SweepPlatform, BadFramesAreRefusedWithTheirReason) {
     const Profile profile = test::profile_with("default", {});
     EXPECT_EXIT(std::exit(bad_frames(profile)), testing::ExitedWithCode(0), "");
-}
-
-// The ends of every field: corners within +-4096, up to 8192 steps.
-TEST(SweepPlatform, NamesSurviveTheirRecord) {
-    for (const VertexName& name :
-         {VertexName{NameKind::Corner, 2, 0, 0}, VertexName{NameKind::Edge, 0, 1, 0},
-          VertexName{NameKind::Edge, 2, 8191, 0}, VertexName{NameKind::Interior, 0, -4096, 4096},
-          VertexName{NameKind::Interior, 0, 4095, -1}}) {
-        EXPECT_TRUE(shell::unpack_name(shell::pack_name(name)) == name);
-    }
-    EXPECT_EQ(shell::pack_name({NameKind::Edge, 1, 3, 0}), 0x5000c000U);
 }
 
 // Setup works beside the sweep line, and the pipeline fills once.

@@ -65,7 +65,9 @@ TEST(RangeMap, HolesTakeTheNearestRow) {
         for (int y = 0; y < 10; ++y) EXPECT_EQ(at(grid, x, y), at(grid, x, 10));
         for (int y = 20; y < 30; ++y) EXPECT_EQ(at(grid, x, y), at(grid, x, 19));
     }
-    const Mesh wedge = {{{1, -.1, 0}, {1, .1, 0}, {1, 0, 2}}, {}, {}, {}, {}, {{0, 1, 2}}, {}};
+    Mesh wedge;
+    wedge.positions = {{1, -.1, 0}, {1, .1, 0}, {1, 0, 2}};
+    wedge.triangles = {{0, 1, 2}};
     const ElevationGrid part = range_map(wedge, {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}}, 90, 4);
     EXPECT_GT(at(part, 0, 0), 0.99);
     EXPECT_EQ(at(part, 45, 0), 0.0);

@@ -53,7 +53,11 @@ sim unchecked --no-check --profile narrow
 SCENE=scenes/tilt_small.toml sim swept
 SCENE=scenes/tilt_small.toml sim swept_everything --everything
 SCENE=scenes/tilt_small.toml sim swept_ref --level ref
-for name in first everything ref ref_everything unchecked swept swept_everything swept_ref; do
+SCENE=scenes/head_lit_small.toml sim lit
+SCENE=scenes/head_lit_small.toml sim lit_everything --everything
+SCENE=scenes/head_lit_small.toml sim lit_ref --level ref
+for name in first everything ref ref_everything unchecked swept swept_everything swept_ref \
+    lit lit_everything lit_ref; do
     valid $name
 done
 
@@ -80,6 +84,8 @@ for file in frame.png mesh.ply; do
     cmp "$folder/first/$file" "$folder/everything/$file" || fail "--everything gives the same $file"
     cmp "$folder/swept/$file" "$folder/swept_everything/$file" ||
         fail "--everything gives the same $file of a swept object"
+    cmp "$folder/lit/$file" "$folder/lit_everything/$file" ||
+        fail "--everything gives the same $file of coloured objects"
 done
 for name in first everything ref unchecked; do
     for file in frame.png mesh.ply report.json timing.json; do
@@ -105,8 +111,9 @@ first, everything, ref = read("first"), read("everything"), read("ref")
 needed, built = counters(first), counters(everything)
 sweep = ["grid_transform", "view_clip", "triangle_setup", "sweep_line", "perspective", "normalise"]
 ends = ["strip", "triangle_buffer"]
-assert omitted(first) == ["controller", "view_test", "vertex_transform", *sweep, *ends], first
-assert omitted(everything) == [] and len(built) == len(needed) + 11
+assert omitted(first) == [
+    "controller", "view_test", "vertex_transform", *sweep, "footprint", "shade", *ends], first
+assert omitted(everything) == [] and len(built) == len(needed) + len(omitted(first))
 for unit in needed:
     assert needed[unit] == built[unit], unit
 assert built["view_test"] == {"items": 0, "tests": 0, "positives": 0}
@@ -124,6 +131,13 @@ assert swept["objects"] == swept_everything["objects"]
 assert swept["objects"][0]["method"] == "sweep" and swept["objects"][0]["coarseness_px"] == 6
 assert swept["objects"][0]["triangles"] == counters(swept)["strip"]["triangles"] > 100
 assert set(swept["objects"][0]["invariants"].values()) == {0}, swept
+lit, lit_everything = counters(read("lit")), counters(read("lit_everything"))
+vertices = sum(o["vertices"] for o in read("lit")["objects"])
+assert lit["shade"]["items"] >= vertices > 1000 and lit["shade"]["degenerate"] == 0, lit
+assert lit["shade"] == lit_everything["shade"] and lit.keys() == counters(read("lit_ref")).keys()
+with open(f"{sys.argv[1]}/lit/mesh.ply", "rb") as file:
+    header = file.read(1000).split(b"end_header")[0].decode()
+assert "property uchar red\nproperty uchar green\nproperty uchar blue\n" in header, header
 assert set(counters(ref)) == set(needed) and ref["objects"][0]["triangles"] > 1000
 PYTHON
 

@@ -80,7 +80,7 @@ class RtlTiming : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Units, RtlTiming,
                          testing::Values("texcoord_test", "view_test", "normal_test", "height_test",
                                          "grid_transform", "view_clip", "perspective", "strip",
-                                         "shade", "normalise"),
+                                         "shade", "normalise", "footprint", "mid_vertex"),
                          [](const auto& unit) { return unit.param; });
 
 TEST_P(RtlTiming, ReadyInCycleZero) {
@@ -127,8 +127,9 @@ TEST_P(RtlTiming, SkippedItemsPassOneACycle) {
 
 /// A(i) = max(V(i), A(i-1)+1, D(i-C)+r), D(i) = max(A(i)+L, D(i-1)+1, R(i)): exact for a pipe.
 TEST(RtlTimingOf, SinglePipelinesFollowTheirRecurrence) {
-    for (const char* unit : {"texcoord_test", "view_test", "normal_test", "grid_transform",
-                             "view_clip", "perspective", "strip", "shade", "normalise"}) {
+    for (const char* unit :
+         {"texcoord_test", "view_test", "normal_test", "grid_transform", "view_clip", "perspective",
+          "strip", "shade", "normalise", "mid_vertex"}) {
         Probe probe(unit);
         Random random(3);
         constexpr std::size_t kCount = 20000;
@@ -160,9 +161,9 @@ TEST(RtlTimingOf, DisplaceTakesAsManyCyclesAsItReads) {
     Probe probe("displace");
     const UnitDesc& desc = probe.desc();
     const Table map{4, 4, std::vector<uint64_t>(25, 5)};
-    for (const bool bilinear : {false, true}) {
-        const auto reads = bilinear ? uint64_t(desc.interval) : 1;
-        probe.instance().configure({4, 4, 0, bilinear, 1 << 23, 40, 0}, &map, 1);
+    for (const int64_t filter : {2, 0, 1}) {
+        const auto reads = filter == 1 ? uint64_t(desc.interval) : 1;
+        probe.instance().configure({4, 4, 0, filter, 0, 1 << 23, 40, 0}, &map, 1);
         probe.run(1, {7}, {});
         EXPECT_EQ(probe.depart[0] - probe.accept[0], uint64_t(desc.latency - 4) + reads);
         probe.run(100, {}, {});
@@ -173,6 +174,32 @@ TEST(RtlTimingOf, DisplaceTakesAsManyCyclesAsItReads) {
     probe.run(capacity + 5, {}, std::vector<uint64_t>(capacity + 5, 1000));
     EXPECT_LT(probe.accept[capacity - 1], 1000U);
     EXPECT_GE(probe.accept[capacity], 1000U + uint64_t(desc.backward_latency));
+}
+
+TEST(RtlTimingOf, DisplaceReadsATexelUnderAFootprintOnce) {
+    Probe probe("displace");
+    const Table map{4, 4, std::vector<uint64_t>(25, 5)};
+    probe.instance().configure({4, 4, 0, 2, 0, 1 << 23, 40, 0}, &map, 1);
+    constexpr std::size_t kCount = 40;
+    const auto interval = [&](int64_t reach_x, int64_t reach_y) {
+        std::vector<int64_t> in, out(3 * kCount);
+        for (std::size_t i = 0; i < kCount; ++i) {
+            for (const int64_t word :
+                 {int64_t{0}, int64_t{0}, int64_t{0}, int64_t{0}, int64_t{0}, int64_t{0},
+                  int64_t{512}, int64_t{512}, reach_x, reach_y, int64_t{0}, int64_t{0}}) {
+                in.push_back(word);
+            }
+        }
+        std::vector<uint64_t> accept(kCount);
+        RepousseBatch batch = plain_batch(kCount, in.data(), out.data());
+        batch.accept = accept.data();
+        EXPECT_EQ(probe.instance().run(batch), kRepousseDone);
+        return accept[kCount - 1] - accept[kCount - 2];
+    };
+    EXPECT_EQ(interval(0, 0), 1U);
+    EXPECT_EQ(interval(128, 0), 2U);
+    EXPECT_EQ(interval(0, 128), 2U);
+    EXPECT_EQ(interval(128, 128), 4U);
 }
 
 TEST(RtlTimingOf, HeightTestTakesAsManyCyclesAsItReads) {

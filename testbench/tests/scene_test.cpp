@@ -4,6 +4,7 @@
 #include <sstream>
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
@@ -80,9 +81,10 @@ TEST(Scene, ReadsEverySetting) {
 }
 
 TEST(Scene, TheShippedScenesAreGood) {
-    for (const char* name : {"donut", "donut_small", "jacksboro", "jacksboro_small", "cylinder",
-                             "head", "head_small", "head_sweep", "head_sweep_small",
-                             "terrain_sweep", "terrain_sweep_small", "tilt", "tilt_small"}) {
+    for (const char* name :
+         {"donut", "donut_small", "jacksboro", "jacksboro_small", "cylinder", "head", "head_small",
+          "head_sweep", "head_sweep_small", "head_lit", "head_lit_small", "terrain_sweep",
+          "terrain_sweep_small", "tilt", "tilt_small"}) {
         const auto scene = read_scene(std::string("scenes/") + name + ".toml");
         ASSERT_TRUE(scene.ok()) << scene.error().message();
         const Object& object = scene->objects.at(0);
@@ -152,7 +154,19 @@ TEST(Scene, RefusesWithFileLineAndColumn) {
         {"kind = \"donut\"",
          "kind = \"range\"\nfile = \"a.off\"\naxis = [0, 0, 0, 0, 0, 1]\nfront = [0, 0, 1]",
          "s.toml:18:9: object.map.front is zero or runs along the axis"},
-        {"", "[object.shade]", "s.toml:20:1: [object.shade] is not built yet"},
+        {"", "[object.shade]\nshininess = 0",
+         "s.toml:21:13: object.shade.shininess is 0, expected an integer in 1..255"},
+        {"", "[object.shade]\nshininess = 256", "s.toml:21:13: object.shade.shininess is 256"},
+        {"", "[object.shade]\nshininess = 2.5",
+         "s.toml:21:13: object.shade.shininess is a number, expected an integer"},
+        {"", "[object.shade]\ndiffuse = [0.5, 1.5, 0]",
+         "s.toml:21:17: object.shade.diffuse is 1.5"},
+        {"", "[object.shade]\nambient = 0.5", "s.toml:21:11: object.shade.ambient is a number"},
+        {"", "[object.shade]\ntwo_sided = 1", "s.toml:21:13: object.shade.two_sided is"},
+        {"", "[object.shade]\nspeculer = [0, 0, 0]",
+         "s.toml:21:1: unknown key \"speculer\" in [object.shade], expected one of ambient, "
+         "diffuse, "
+         "shininess, specular, two_sided; did you mean \"specular\"?"},
         {"kind = \"donut\"", "file = \"no_such.png\"",
          "s.toml:15:8: map file \"no_such.png\" does not exist, expected a file beside the scene"},
         {"kind = \"donut\"", "file = \"map.jpeg\"",
@@ -211,6 +225,7 @@ TEST(Scene, TheDocumentNamesEveryKey) {
         {"kind = \"donut\"",
          "kind = \"range\"\nfile = \"a.off\"\nfallback = { kind = \"fbm\" }\nx_ = 1", ""},
         {"[object.adaptive]", "[object.adaptive]\nx_ = 1", ""},
+        {"", "[object.shade]\nx_ = 1", ""},
         {nullptr, "x_ = 1", ""}};
     for (const Refusal& table : tables) {
         const std::string text =
@@ -225,6 +240,35 @@ TEST(Scene, TheDocumentNamesEveryKey) {
             EXPECT_TRUE(named) << key;
         }
     }
+}
+
+TEST(Scene, ReadsAMaterial) {
+    EXPECT_FALSE(parse_scene(swept(""), "s.toml", ".")->objects[0].shade.has_value());
+    const auto plain = parse_scene(with("", "[object.shade]"), "s.toml", ".");
+    ASSERT_TRUE(plain.ok()) << plain.error().message();
+    ASSERT_TRUE(plain->objects[0].shade.has_value());
+    EXPECT_EQ(plain->objects[0].shade->shininess, 40);
+    EXPECT_FALSE(plain->objects[0].shade->two_sided);
+    EXPECT_EQ(plain->objects[0].shade->mark.text(), "s.toml:20:1");
+    const auto set =
+        parse_scene(with("",
+                         "[object.shade]\nambient = [0, 0, 0.1]\ndiffuse = [0.5, 0.25, 1]\n"
+                         "specular = [0, 0, 0]\nshininess = 255\ntwo_sided = true"),
+                    "s.toml", ".");
+    ASSERT_TRUE(set.ok()) << set.error().message();
+    const Material& material = *set->objects[0].shade;
+    EXPECT_EQ(material.ambient, glm::dvec3(0, 0, 0.1));
+    EXPECT_EQ(material.diffuse, glm::dvec3(0.5, 0.25, 1));
+    EXPECT_EQ(material.specular, glm::dvec3(0));
+    EXPECT_EQ(material.shininess, 255);
+    EXPECT_TRUE(material.two_sided);
+
+    // What is not displaced passes the unit by.
+    std::string direct = with("method = \"adaptive\"", "method = \"direct\"");
+    direct.resize(direct.find("[object.map]"));
+    EXPECT_EQ(message(direct + "[object.shade]\n"),
+              "s.toml:14:1: [object.shade] in an object of method \"direct\", expected an object "
+              "without it");
 }
 
 TEST(Scene, ReadsASweep) {
@@ -260,6 +304,35 @@ TEST(Scene, RefusesABadSweep) {
         const std::string start = c.expected;
         EXPECT_EQ(message(swept(c.to)).substr(0, start.size()), start);
     }
+}
+
+TEST(Scene, ReadsFilterLevels) {
+    const auto with_map = [](const std::string& keys) {
+        std::string text = swept("");
+        const std::string kind = "kind = \"donut\"";
+        return text.replace(text.find(kind), kind.size(), kind + "\n" + keys);
+    };
+    const auto none = parse_scene(with_map("levels = \"none\""), "s.toml", ".");
+    ASSERT_TRUE(none.ok()) << none.error().message();
+    EXPECT_FALSE(none->objects[0].map.levels.has_value());
+    EXPECT_EQ(none->objects[0].map.filter, HeightFilter::Nearest);
+    const auto plain = parse_scene(with_map("levels = \"variational\""), "s.toml", ".");
+    ASSERT_TRUE(plain.ok()) << plain.error().message();
+    EXPECT_EQ(plain->objects[0].map.levels, LevelFilter::Variational);
+    EXPECT_EQ(plain->objects[0].map.filter, HeightFilter::Maximum);
+    const auto average =
+        parse_scene(with_map("levels = \"maximum\"\nfilter = \"average\""), "s.toml", ".");
+    ASSERT_TRUE(average.ok()) << average.error().message();
+    EXPECT_EQ(average->objects[0].map.levels, LevelFilter::BoxMaximum);
+    EXPECT_EQ(average->objects[0].map.filter, HeightFilter::Average);
+
+    EXPECT_THAT(message(with_map("filter = \"maximum\"")),
+                testing::HasSubstr("filter = \"maximum\" without filter levels"));
+    EXPECT_THAT(message(with_map("levels = \"average\"\nfilter = \"bilinear\"")),
+                testing::HasSubstr("filter levels that filter = \"bilinear\" does not read"));
+    EXPECT_THAT(message(with_map("levels = \"highest\"")), testing::HasSubstr("object.map.levels"));
+    EXPECT_THAT(message(with("kind = \"donut\"", "kind = \"donut\"\nlevels = \"average\"")),
+                testing::HasSubstr("levels in an object of method \"adaptive\""));
 }
 
 TEST(Scene, ADirectObjectNeedsNoMap) {

@@ -89,7 +89,7 @@ template <class P>
 struct Outcome {
     host::SweepInvariants invariants;
     SweepCounters counters;
-    std::vector<SweepOutput<P>> triangles;
+    SweepMesh<P> mesh;
     std::array<std::array<int32_t, 3>, 4> slots{};  // of the first four vertices
 };
 
@@ -107,11 +107,9 @@ Outcome<P> remesh(const Scene& scene, const Profile& profile) {
     if (!draw) return outcome;
     if (scene.z_offset) draw->registers.setup.z_offset = *scene.z_offset;
     SweepPipeline<P> pipeline(profile, *draw);
-    EXPECT_TRUE(pipeline.run([&](Span<const SweepOutput<P>> triangles) {
-        outcome.triangles.insert(outcome.triangles.end(), triangles.begin(), triangles.end());
-    }));
+    EXPECT_TRUE(pipeline.run(outcome.mesh));
     outcome.counters = pipeline.counters();
-    outcome.invariants = host::SweepJudge<P>(profile, *draw, scene.mesh).judge(outcome.triangles);
+    outcome.invariants = host::SweepJudge<P>(profile, *draw, scene.mesh).judge(outcome.mesh);
 
     VertexTransform<P> transform(profile);
     GridTransform<P> grid(profile);
@@ -127,7 +125,7 @@ Outcome<P> remesh(const Scene& scene, const Profile& profile) {
 
 template <class P>
 void expect_sound(const Outcome<P>& outcome, const std::string& what) {
-    EXPECT_GT(outcome.triangles.size(), 0u) << what;
+    EXPECT_GT(outcome.mesh.triangles.size(), 0u) << what;
     EXPECT_EQ(outcome.invariants.open_edges, 0u) << what;
     EXPECT_EQ(outcome.invariants.cracked, 0u) << what;
     EXPECT_EQ(outcome.invariants.seam_cracked, 0u) << what;
@@ -213,7 +211,7 @@ TEST(HardCase, CornersOnOneGridPoint) {
     expect_grid_case({{{0, 0, 0}, {3, 3, 3}, {9, 9, 9}}}, {27, 27, 27});
     Scene scene = on_grid({{{5, 5, 5}, {5, 5, 5}, {5, 5, 5}}}, {5, 5, 5});
     expect_sound_at_every_level(scene, [](const Outcome<Fixed>& outcome) {
-        EXPECT_EQ(outcome.triangles.size(), 4u);
+        EXPECT_EQ(outcome.mesh.triangles.size(), 4u);
         EXPECT_EQ(outcome.counters.triangle_setup.single, 4u);
     });
 }
@@ -227,7 +225,7 @@ TEST(HardCase, CornersAtTheGuardBand) {
         EXPECT_EQ(outcome.slots[1], (test::GridPoint{4096, 4096, 0}));
         EXPECT_EQ(outcome.slots[2], (test::GridPoint{4096, 4095, 0}));
         EXPECT_GE(outcome.counters.triangle_setup.clamped, 3u);
-        EXPECT_GT(outcome.triangles.size(), 4u * 4096);
+        EXPECT_GT(outcome.mesh.triangles.size(), 4u * 4096);
     });
 }
 
@@ -289,12 +287,12 @@ TEST(HardCase, DisplacementLargerThanTheNearDistance) {
         scene.sweep.clip = false;
         const auto whole = remesh<Fixed>(scene, profile);
         std::vector<bool> kept(scene.mesh.triangles.size());
-        for (const auto& triangle : clipped.triangles) kept[triangle.base] = true;
+        for (const auto& triangle : clipped.mesh.triangles) kept[triangle.base] = true;
         const auto view = host::view_projection(scene.camera, {128, 128});
-        for (const auto& triangle : whole.triangles) {
+        for (const auto& triangle : whole.mesh.triangles) {
             if (kept[triangle.base]) continue;
-            for (const auto& corner : triangle.corners) {
-                const auto& p = corner.displaced;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto& p = whole.mesh.corner(triangle, k).displaced;
                 const auto s = view.project(
                     {std::ldexp(p.x, -16), std::ldexp(p.y, -16), std::ldexp(p.z, -16)});
                 const bool visible = s.w >= view.near && s.w <= view.far && s.x >= 0 &&

@@ -12,6 +12,7 @@
 #include "testbench/host/sweep_draw.h"
 #include "testbench/host/sweep_judge.h"
 #include "testbench/tests/support/profiles.h"
+#include "testbench/tests/support/whole_triangles.h"
 
 namespace repousse {
 namespace {
@@ -60,19 +61,18 @@ struct Object {
 };
 
 template <class P>
-std::vector<SweepOutput<P>> run(SweepPipeline<P>& pipeline) {
-    std::vector<SweepOutput<P>> out;
-    EXPECT_TRUE(pipeline.run(
-        [&](Span<const SweepOutput<P>> some) { out.insert(out.end(), some.begin(), some.end()); }));
+SweepMesh<P> run(SweepPipeline<P>& pipeline) {
+    SweepMesh<P> out;
+    EXPECT_TRUE(pipeline.run(out));
     return out;
 }
 
 template <class P>
-std::vector<SweepOutput<P>> remesh(const Profile& profile, const SweepDraw<P>& draw) {
+SweepMesh<P> remesh(const Profile& profile, const SweepDraw<P>& draw) {
     SweepPipeline<P> pipeline(profile, draw);
     auto out = run(pipeline);
     const SweepCounters counters = pipeline.counters();
-    EXPECT_EQ(counters.triangle_buffer.triangles, out.size());
+    EXPECT_EQ(counters.triangle_buffer.triangles, out.triangles.size());
     EXPECT_EQ(counters.strip.bad_refs, 0u);
     EXPECT_EQ(counters.sweep_line.displaced, counters.displace.items);
     return out;
@@ -82,7 +82,7 @@ template <class P>
 host::SweepInvariants judge(const Profile& profile, Object& object) {
     const SweepDraw<P> draw = object.draw<P>(profile);
     const auto out = remesh(profile, draw);
-    EXPECT_FALSE(out.empty());
+    EXPECT_FALSE(out.triangles.empty());
     return host::SweepJudge<P>(profile, draw, object.mesh).judge(out);
 }
 
@@ -147,7 +147,7 @@ TEST(SweepPipeline, IsWholeOnALargeTriangle) {
     object.inputs.viewport = {640, 480};
     const SweepDraw<Fixed> draw = object.draw<Fixed>(default_profile());
     const auto out = remesh(default_profile(), draw);
-    EXPECT_GT(out.size(), 50000u);
+    EXPECT_GT(out.triangles.size(), 50000u);
     expect_whole(host::SweepJudge<Fixed>(default_profile(), draw, object.mesh).judge(out));
 }
 
@@ -177,21 +177,23 @@ TEST(SweepJudge, SeesWhatIsBroken) {
     expect_whole(judge.judge(good));
 
     auto hole = good;
-    hole.erase(hole.begin() + 700);
+    hole.triangles.erase(hole.triangles.begin() + 700);
     EXPECT_EQ(judge.judge(hole).open_edges, 3u);
     EXPECT_EQ(judge.judge(hole).uncovered, 1u);
 
     auto twice = good;
-    twice.insert(twice.begin() + 700, twice[700]);
+    twice.triangles.insert(twice.triangles.begin() + 700, good.triangles[700]);
     EXPECT_GE(judge.judge(twice).open_edges, 3u);
     EXPECT_EQ(judge.judge(twice).uncovered, 1u);
 
     auto moved = good;
-    ++moved[700].corners[1].displaced.y;
+    moved.vertices.push_back(moved.corner(moved.triangles[700], 1));
+    ++moved.vertices.back().displaced.y;
+    moved.triangles[700].vertices[1] = static_cast<uint32_t>(moved.vertices.size() - 1);
     EXPECT_EQ(judge.judge(moved).cracked, 1u);
 
     auto turned = good;
-    std::swap(turned[700].corners[0], turned[700].corners[1]);
+    std::swap(turned.triangles[700].vertices[0], turned.triangles[700].vertices[1]);
     EXPECT_EQ(judge.judge(turned).degenerate, 1u);
 }
 
@@ -200,8 +202,8 @@ TEST(SweepPipeline, FixedFollowsReal) {
     const Profile profile = default_profile();
     const Profile real = host::reference_profile(profile);
     Object object(tilted_grid(3));
-    const auto fixed_out = remesh(profile, object.draw<Fixed>(profile));
-    const auto real_out = remesh(real, object.draw<Real>(real));
+    const auto fixed_out = test::whole_triangles(remesh(profile, object.draw<Fixed>(profile)));
+    const auto real_out = test::whole_triangles(remesh(real, object.draw<Real>(real)));
     ASSERT_EQ(fixed_out.size(), real_out.size());
     ASSERT_GT(fixed_out.size(), 5000u);
     double worst_place = 0, worst_normal = 0;
@@ -229,6 +231,42 @@ TEST(SweepPipeline, FixedFollowsReal) {
     EXPECT_LT(worst_normal, 2e-3);
 }
 
+// Filter levels: whole at both levels of detail, which choose the same level but for rounding at
+// its border.
+TEST(SweepPipeline, IsWholeWithFilterLevels) {
+    const Profile profile = default_profile();
+    const Profile real = host::reference_profile(profile);
+    for (const host::LevelFilter levels :
+         {host::LevelFilter::BoxMaximum, host::LevelFilter::Average}) {
+        Object object(tilted_grid(5));
+        object.inputs.bump = false;
+        object.inputs.levels = levels;
+        object.inputs.filter = HeightFilter::Maximum;
+        object.inputs.sweep.coarseness_px = 3;
+        expect_whole(judge<Fixed>(profile, object));
+        expect_whole(judge<Real>(real, object));
+        const auto fixed_draw = object.draw<Fixed>(profile);
+        const auto real_draw = object.draw<Real>(real);
+        SweepPipeline<Fixed> fixed_pipeline(profile, fixed_draw);
+        SweepPipeline<Real> real_pipeline(real, real_draw);
+        const auto fixed_mesh = run(fixed_pipeline);
+        const auto real_mesh = run(real_pipeline);
+        ASSERT_EQ(fixed_mesh.vertices.size(), real_mesh.vertices.size());
+        const FootprintCounters f = *fixed_pipeline.counters().footprint;
+        const FootprintCounters r = *real_pipeline.counters().footprint;
+        EXPECT_EQ(f.items, r.items);
+        EXPECT_EQ(f.cut, 0u);
+        uint64_t moved = 0;
+        std::size_t used = 0;
+        for (std::size_t l = 0; l < f.levels.size(); ++l) {
+            moved += std::max(f.levels[l], r.levels[l]) - std::min(f.levels[l], r.levels[l]);
+            used += f.levels[l] > f.items / 100;
+        }
+        EXPECT_GE(used, 3u);
+        EXPECT_LT(moved, f.items / 100);
+    }
+}
+
 TEST(SweepPipeline, CoarserGridsHaveFewerTriangles) {
     Object object(tilted_grid(1));
     std::size_t last = 0;
@@ -236,9 +274,9 @@ TEST(SweepPipeline, CoarserGridsHaveFewerTriangles) {
         object.inputs.sweep.coarseness_px = px;
         const auto out = remesh(default_profile(), object.draw<Fixed>(default_profile()));
         if (last != 0) {
-            EXPECT_NEAR(double(out.size()) / double(last), 4.0, 1.0) << px;
+            EXPECT_NEAR(double(out.triangles.size()) / double(last), 4.0, 1.0) << px;
         }
-        last = out.size();
+        last = out.triangles.size();
     }
 }
 
@@ -246,12 +284,12 @@ TEST(SweepPipeline, DirectTrianglesKeepTheirPlace) {
     const Profile profile = default_profile();
     Object object(tilted_grid(4));
     SweepDraw<Fixed> draw = object.draw<Fixed>(profile);
-    const auto all = remesh(profile, draw);
+    const auto all = test::whole_triangles(remesh(profile, draw));
     for (std::size_t i = 0; i < draw.triangles.size(); i += 3) draw.triangles[i].direct = true;
-    const auto mixed = remesh(profile, draw);
+    const auto mixed = test::whole_triangles(remesh(profile, draw));
     std::size_t at = 0;
     for (std::size_t i = 0; i < mixed.size(); ++i) {
-        const SweepOutput<Fixed>& out = mixed[i];
+        const auto& out = mixed[i];
         ASSERT_TRUE(i == 0 || mixed[i - 1].base <= out.base);
         if (draw.triangles[out.base].direct) {
             ASSERT_TRUE(i == 0 || mixed[i - 1].base < out.base);
@@ -277,7 +315,8 @@ TEST(SweepPipeline, AnObjectOfMethodDirectPassesWhole) {
     object.inputs.method = host::Method::Direct;
     const SweepDraw<Fixed> draw = object.draw<Fixed>(profile);
     const auto out = remesh(profile, draw);
-    EXPECT_EQ(out.size(), 32u);
+    EXPECT_EQ(out.triangles.size(), 32u);
+    EXPECT_EQ(out.vertices.size(), 96u);
     expect_whole(host::SweepJudge<Fixed>(profile, draw, object.mesh).judge(out));
 }
 
@@ -298,9 +337,9 @@ TEST(SweepPipeline, AVertexThatIsNotThereEndsTheDraw) {
     draw.triangles[3].vertices[1] = 9;
     SweepPipeline<Fixed> pipeline(default_profile(), draw);
     uint32_t last = 0;
-    EXPECT_FALSE(pipeline.run([&](Span<const SweepOutput<Fixed>> some) {
-        for (const auto& triangle : some) last = triangle.base;
-    }));
+    SweepMesh<Fixed> mesh;
+    EXPECT_FALSE(pipeline.run(mesh));
+    for (const FineTriangle& triangle : mesh.triangles) last = triangle.base;
     EXPECT_EQ(last, 2u);
 }
 
@@ -327,7 +366,8 @@ TEST(SweepDraw, FitsTheGridToTheObject) {
     Object object(tilted_grid(2));
     const SweepDraw<Real> draw = object.draw<Real>(host::reference_profile(default_profile()));
     SweepPipeline<Real> pipeline(default_profile(), draw);
-    EXPECT_TRUE(pipeline.run([](Span<const SweepOutput<Real>>) {}));
+    SweepMesh<Real> mesh;
+    EXPECT_TRUE(pipeline.run(mesh));
     EXPECT_EQ(pipeline.counters().grid_transform.c_saturated, 0u);
     const double offset = draw.registers.setup.z_offset;
     const auto depth = [&](double w) {

@@ -15,16 +15,56 @@ namespace {
 
 // A triangle that says where it belongs: base triangle, number within it.
 using Item = std::pair<uint32_t, uint32_t>;
-using Buffer = TriangleBuffer<Item>;
+// A buffer whose vertices say which triangle they came with; a triangle comes with one.
+struct Buffer : TriangleBuffer<Item> {
+    using TriangleBuffer<Item>::TriangleBuffer;
+
+    std::size_t push(Span<const Item> items) {
+        const uint32_t first = vertex_count();
+        const std::size_t n =
+            push_vertices(items.size(), [&](std::size_t i, Item& vertex) { vertex = items[i]; });
+        if (n == 0) return 0;
+        return TriangleBuffer<Item>::push(n, [&](std::size_t i, FineTriangle& triangle) {
+            const uint32_t number = first + static_cast<uint32_t>(i);
+            triangle = {items[i].first, {number, number, number}};
+        });
+    }
+    bool push_direct(Item item) {
+        return TriangleBuffer<Item>::push_direct({item.first, {item, item, item}});
+    }
+    void clear() {
+        TriangleBuffer<Item>::clear();
+        vertices.clear();
+    }
+
+    std::vector<Item> vertices;  // that have left
+};
 
 OrderToken displaced(uint32_t base) { return {base, Route::Displaced}; }
 OrderToken direct(uint32_t base) { return {base, Route::Direct}; }
 
-std::vector<Item> drained(Buffer& buffer) {
+// What leaves, by the vertices that the triangles refer to: they have left before.
+struct Sink {
+    void operator()(Span<const Item> some) {
+        vertices.insert(vertices.end(), some.begin(), some.end());
+    }
+    void operator()(Span<const FineTriangle> some) {
+        for (const FineTriangle& triangle : some) {
+            for (const uint32_t number : triangle.vertices) {
+                ASSERT_LT(number, vertices.size());
+                ASSERT_EQ(vertices[number].first, triangle.base);
+            }
+            out.push_back(vertices[triangle.vertices[0]]);
+        }
+    }
+    std::vector<Item>& vertices;
     std::vector<Item> out;
-    buffer.drain(
-        [&](Span<const Item> items) { out.insert(out.end(), items.begin(), items.end()); });
-    return out;
+};
+
+std::vector<Item> drained(Buffer& buffer) {
+    Sink sink{buffer.vertices, {}};
+    buffer.drain(sink);
+    return sink.out;
 }
 
 bool push(Buffer& buffer, Item item) { return buffer.push({&item, 1}) == 1; }
@@ -88,7 +128,7 @@ std::vector<Item> interleaved(const Work& work, std::mt19937& random, Buffer& bu
 RC_GTEST_PROP(TriangleBufferProperty, KeepsTheOrderOfBaseTriangles, (uint32_t seed)) {
     std::mt19937 random(seed);
     const Work work = random_work(random, 1 + random() % 60);
-    Buffer buffer(1 + random() % 20, 1 + random() % 6);
+    Buffer buffer(1 + random() % 20, 1 + random() % 6, 3 + random() % 20);
     RC_ASSERT(interleaved(work, random, buffer) == work.expected);
     RC_ASSERT(buffer.idle());
     const TriangleBufferCounters& c = buffer.counters();
@@ -102,7 +142,7 @@ TEST(TriangleBuffer, CountersOfTheDataAreEqualForAllInterleavings) {
     const Work work = random_work(random, 200);
     TriangleBufferCounters first;
     for (int i = 0; i < 20; ++i) {
-        Buffer buffer(2 + random() % 64, 2 + random() % 16);
+        Buffer buffer(2 + random() % 64, 2 + random() % 16, 3 + random() % 64);
         ASSERT_EQ(interleaved(work, random, buffer), work.expected);
         const TriangleBufferCounters& c = buffer.counters();
         if (i == 0) first = c;
@@ -193,6 +233,7 @@ TEST(TriangleBuffer, ClearDropsADrawAndResetIsPowerOn) {
     ASSERT_TRUE(buffer.expect(displaced(0)));
     EXPECT_EQ(buffer.counters().switches, 2U);
     buffer.reset();
+    buffer.vertices.clear();
     EXPECT_EQ(buffer.counters().items, 0U);
     EXPECT_TRUE(buffer.idle());
 }

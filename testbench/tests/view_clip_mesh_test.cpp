@@ -13,6 +13,7 @@
 #include "testbench/host/mesh/procedural_mesh.h"
 #include "testbench/host/scene/assets.h"
 #include "testbench/host/sweep_draw.h"
+#include "testbench/tests/support/whole_triangles.h"
 #include "tlm/config/profile_reader.h"
 
 namespace repousse {
@@ -20,7 +21,8 @@ namespace {
 
 using cosim::Random;
 using glm::dvec3;
-using Triangles = std::vector<SweepOutput<Fixed>>;
+using Triangle = test::WholeTriangle<Fixed>;
+using Triangles = std::vector<Triangle>;
 
 double uniform(Random& random, double low, double high) {
     return low + std::ldexp(static_cast<double>(random.next() >> 11), -53) * (high - low);
@@ -35,17 +37,15 @@ Triangles remesh(const Profile& profile, const host::DrawInputs& inputs, SweepCo
     const auto draw = host::make_sweep_draw<Fixed>(profile, inputs);
     EXPECT_TRUE(draw.ok()) << draw.error().message();
     SweepPipeline<Fixed> pipeline(profile, *draw);
-    Triangles out;
-    EXPECT_TRUE(pipeline.run([&out](Span<const SweepOutput<Fixed>> some) {
-        out.insert(out.end(), some.begin(), some.end());
-    }));
+    SweepMesh<Fixed> mesh;
+    EXPECT_TRUE(pipeline.run(mesh));
     counters = pipeline.counters();
-    return out;
+    return test::whole_triangles(mesh);
 }
 
 /// Whether a corner, the middle of an edge, or the middle of a triangle is well on the picture:
 /// vertices were rounded, so its outermost thousandth does not count.
-bool seen(const host::ViewProjection& view, const Format& format, const SweepOutput<Fixed>& t) {
+bool seen(const host::ViewProjection& view, const Format& format, const Triangle& t) {
     std::array<dvec3, 3> p;
     for (std::size_t k = 0; k < 3; ++k) {
         const Vec3<int32_t>& raw = t.corners[k].displaced;
@@ -65,7 +65,7 @@ bool seen(const host::ViewProjection& view, const Format& format, const SweepOut
     return inside((p[0] + p[1] + p[2]) / 3.0);
 }
 
-bool same(const SweepOutput<Fixed>& a, const SweepOutput<Fixed>& b) {
+bool same(const Triangle& a, const Triangle& b) {
     bool equal = a.base == b.base;
     for (std::size_t k = 0; k < 3; ++k) {
         equal = equal && a.corners[k].name == b.corners[k].name &&

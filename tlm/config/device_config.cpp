@@ -26,6 +26,7 @@ std::vector<std::string_view> units_where(const DeviceConfig& c, bool built) {
         {"sweep_line", c.sweep},
         {"perspective", c.sweep},
         {"normalise", c.sweep},
+        {"footprint", c.sweep && c.levels},
         {"bump", c.has_bump()},
         {"displace", c.has_displace()},
         {"strip", c.sweep},

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "datapath/units/edge_iter.h"
+#include "tlm/platform/bump_table.h"
 
 namespace repousse::shell {
 namespace {
@@ -46,12 +47,14 @@ void AdaptivePath::connect() {
     edges.then(mid_vertex_.after_split);
     if (shared_.bump) edges.then(shared_.bump->after_split);
     edges.then(shared_.displace->edges);
+    if (shared_.shade) edges.then(shared_.shade->edges);
     if (view_test_) edges.then(shared_.vertex_transform->edges);
     triangle_stack_.children.bind(split_.children);
 
     Chain<Triangle<Fixed>> base(triangle_stack_.base_out);
     base.then(shared_.displace->base);
     if (shared_.bump) base.then(shared_.bump->base);
+    if (shared_.shade) base.then(shared_.shade->base);
     if (view_test_) base.then(shared_.vertex_transform->base);
 }
 
@@ -66,6 +69,7 @@ AdaptiveCounters AdaptivePath::counters() const {
     if (shared_.vertex_transform) c.vertex_transform = shared_.vertex_transform->counters();
     if (view_test_) c.view_test = view_test_->counters();
     if (shared_.bump) c.bump = shared_.bump->counters();
+    if (shared_.shade) c.shade = shared_.shade->counters();
     if (normal_test_) c.normal_test = normal_test_->counters();
     if (height_test_) {
         c.height_test = height_test_->counters();
@@ -89,7 +93,11 @@ FrameError AdaptivePath::run() {
     const FrameRegisters& frame = host_.frame();
     if (!has_units()) return kMissingUnit;
     const bool needs_bump = frame.has(kUseNormalTest) && !frame.has(kUseBump);
-    if (needs_bump || frame[kCap] > uint32_t(repousse::EdgeIter<Fixed>::kMaxCap)) {
+    // Slopes give N' without an N_D, which the normal test in map space would want.
+    const bool needs_map_normals = frame.has(kUseNormalTest) && frame.has(kMapSpaceNormals) &&
+                                   shared_.bump->bump_kind() == BumpKind::Slopes;
+    if (needs_bump || needs_map_normals ||
+        frame[kCap] > uint32_t(repousse::EdgeIter<Fixed>::kMaxCap)) {
         return kBadRegister;
     }
     configure();
@@ -118,7 +126,8 @@ bool AdaptivePath::has_units() const {
     const FrameRegisters& frame = host_.frame();
     return (!frame.has(kUseViewTest) || view_test_) &&
            (!frame.has(kUseNormalTest) || normal_test_) &&
-           (!frame.has(kUseHeightTest) || height_test_) && (!frame.has(kUseBump) || shared_.bump);
+           (!frame.has(kUseHeightTest) || height_test_) && (!frame.has(kUseBump) || shared_.bump) &&
+           (!frame.has(kUseShade) || shared_.shade);
 }
 
 void AdaptivePath::configure() {
@@ -128,6 +137,7 @@ void AdaptivePath::configure() {
     texcoord_test_.configure(eager);
     mid_vertex_.configure(frame.has(kUseNormalTest), eager);
     split_.configure(frame.has(kUseNormalTest) || frame.has(kUseHeightTest));
+    shared_.configure_shade(frame);
     if (view_test_) {
         view_test_->enable(frame.has(kUseViewTest));
         view_test_->configure(frame[kViewThreshold], eager);
@@ -150,7 +160,7 @@ FrameError AdaptivePath::bind() {
     MapView<Fixed> map = frame.map();
     const auto texels = std::size_t(frame[kMapWidth]) * frame[kMapHeight];
     map.heights = host_.table<uint16_t>(kHeightsLo, texels);
-    if (frame.has(kUseBump)) map.normals = host_.table<Vec3<int16_t>>(kNormalsLo, texels);
+    if (frame.has(kUseBump)) bind_bump(host_, shared_.bump->bump_kind(), texels, map);
     if (frame.has(kUseHeightTest)) {
         const auto entries = (std::size_t(frame[kMapWidth]) + 1) * (frame[kMapHeight] + 1);
         map.sums = host_.table<uint64_t>(kSumsLo, entries);

@@ -30,6 +30,7 @@ std::vector<CounterRow> DisplacementUnit::counters() const {
     if (adaptive_) {
         sweep.displace = {};
         if (sweep.bump) sweep.bump = BumpCounters{};
+        if (sweep.shade) sweep.shade = ShadeCounters{};
         sweep.vertex_transform = {};
     }
     merge_rows(rows, sweep.rows());
@@ -46,13 +47,14 @@ BusyTable DisplacementUnit::busy() const {
 void DisplacementUnit::reset() {
     file_ = {};
     frame_.clear();
-    status_ = error_ = output_count_ = 0;
+    status_ = error_ = output_count_ = output_vertex_count_ = 0;
     cycles_ = 0;
     interrupt_level_ = false;
     interrupt_event_.notify(sc_core::SC_ZERO_TIME);
     memory_port.clear();
     if (shared_.displace) shared_.displace->reset();
     if (shared_.bump) shared_.bump->reset();
+    if (shared_.shade) shared_.shade->reset();
     if (shared_.vertex_transform) shared_.vertex_transform->reset();
     if (adaptive_) adaptive_->reset();
     if (sweep_) sweep_->reset();
@@ -68,6 +70,8 @@ uint32_t DisplacementUnit::read_register(uint32_t index) const {
             return error_;
         case kOutputCount:
             return output_count_;
+        case kOutputVertexCount:
+            return output_vertex_count_;
         case kCyclesLo:
             return static_cast<uint32_t>(cycles_);
         case kCyclesHi:

@@ -63,6 +63,8 @@ private:
     void run_frames();
     FrameError run_frame();
     FramePath* path() const;
+    template <class Record>
+    void write(Span<const Record> records, Register low, Register capacity, uint32_t& count);
     void wait_until_drained();
 
     // What its path asks of the device.
@@ -70,6 +72,8 @@ private:
     bool memory_ok() const override { return memory_port.ok(); }
     const void* view(uint64_t address, uint64_t bytes) override;
     void write(Span<const OutputRecord> triangles) override;
+    void write(Span<const FineTriangleRecord> triangles) override;
+    void write(Span<const FineRecord> vertices) override;
     bool elapse(uint64_t cycles) override;
 
     sc_core::sc_time clock_period_;
@@ -77,7 +81,8 @@ private:
     FrameRegisters frame_;
     uint32_t status_ = 0;
     uint32_t error_ = kNoError;
-    uint32_t output_count_ = 0;
+    uint32_t output_count_ = 0;         // triangles in their output buffer
+    uint32_t output_vertex_count_ = 0;  // vertices in theirs
     uint64_t cycles_ = 0;
     bool abort_ = false;
     bool interrupt_level_ = false;

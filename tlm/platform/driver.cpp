@@ -27,7 +27,7 @@ const char* reason(uint32_t error) {
 }
 
 DrawOutput empty_output(const Draw& draw) {
-    if (std::holds_alternative<SweepDraw<Fixed>>(draw)) return std::vector<SweepOutput<Fixed>>();
+    if (std::holds_alternative<SweepDraw<Fixed>>(draw)) return SweepMesh<Fixed>();
     return std::vector<OutputTriangle<Fixed>>();
 }
 
@@ -88,7 +88,7 @@ bool Driver::run(const Draw& draw, DrawOutput& output) {
         const uint32_t status = get(kStatus);
         set(kInterrupt, 1U);
         sc_core::wait(interrupt.negedge_event());
-        collect(output);
+        std::visit([this](auto& o) { collect(o); }, output);
         if ((status & (kStatusRunaway | kStatusBadRef)) != 0) {
             status_ = Error{ErrorKind::Mismatch, "status", "the sweep line lost its way", {}, {}};
             return false;
@@ -98,18 +98,22 @@ bool Driver::run(const Draw& draw, DrawOutput& output) {
     }
 }
 
-void Driver::collect(DrawOutput& output) {
-    const uint32_t count = get(kOutputCount);
-    const uint64_t bytes = count * sizeof(OutputRecord);
-    const auto* records =
-        static_cast<const OutputRecord*>(port.view(output_address_, bytes, local_time_));
-    std::visit(
-        [&](auto& triangles) {
-            const std::size_t before = triangles.size();
-            triangles.resize(before + count);
-            for (uint32_t i = 0; i < count; ++i) read_record(records[i], triangles[before + i]);
-        },
-        output);
+template <class Record>
+Span<const Record> Driver::output(uint64_t address, uint32_t count) {
+    const void* records = port.view(address, count * sizeof(Record), local_time_);
+    return {static_cast<const Record*>(records), count};
+}
+
+void Driver::collect(std::vector<OutputTriangle<Fixed>>& triangles) {
+    const auto records = output<OutputRecord>(output_address_, get(kOutputCount));
+    std::size_t next = triangles.size();
+    triangles.resize(next + records.size());
+    for (const OutputRecord& record : records) read_record(record, triangles[next++]);
+}
+
+void Driver::collect(SweepMesh<Fixed>& mesh) {
+    mesh.append(output<FineRecord>(output_vertices_address_, get(kOutputVertexCount)));
+    mesh.append(output<FineTriangleRecord>(output_address_, get(kOutputCount)));
 }
 
 void Driver::set(uint32_t index, uint32_t word) {
@@ -120,6 +124,12 @@ void Driver::set(uint32_t index, const Vec3<int32_t>& v) {
     set(index, v.x);
     set(index + 1, v.y);
     set(index + 2, v.z);
+}
+
+void Driver::set(uint32_t index, const Colour<int32_t>& c) {
+    set(index, c.red);
+    set(index + 1, c.green);
+    set(index + 2, c.blue);
 }
 
 void Driver::set_address(Register low, uint64_t address) {

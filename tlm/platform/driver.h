@@ -21,15 +21,14 @@ namespace repousse::shell {
 using Draw = std::variant<AdaptiveDraw<Fixed>, SweepDraw<Fixed>>;
 
 /// What one draw gave, in architectural order: the alternative of its draw.
-using DrawOutput =
-    std::variant<std::vector<OutputTriangle<Fixed>>, std::vector<SweepOutput<Fixed>>>;
+using DrawOutput = std::variant<std::vector<OutputTriangle<Fixed>>, SweepMesh<Fixed>>;
 
 /// Where the driver finds the device and lays out its buffers.
 struct AddressMap {
     uint64_t device = 0;  ///< base of the registers
     uint64_t memory = 0;  ///< base of the memory
     uint64_t memory_bytes = 0;
-    uint32_t output_capacity = 1;  ///< triangles in the output buffer
+    uint32_t output_capacity = 1;  ///< triangles, and fine vertices, in an output buffer
 };
 
 /// Bytes of memory that a draw's buffers take, the output buffer included.
@@ -58,7 +57,10 @@ private:
     void drive();
     void drive_all();
     bool run(const Draw& draw, DrawOutput& output);
-    void collect(DrawOutput& output);
+    template <class Record>
+    Span<const Record> output(uint64_t address, uint32_t count);
+    void collect(std::vector<OutputTriangle<Fixed>>& triangles);
+    void collect(SweepMesh<Fixed>& mesh);
 
     // A draw in memory and registers: driver_draw.cpp.
     void upload(const Draw& draw);
@@ -68,11 +70,13 @@ private:
     void program(const SweepDraw<Fixed>& draw);
     template <class D>
     void program_common(const D& draw);
+    void program_shade(const ShadeRegisters<Fixed>& registers);
     void place(Register low, const void* data, uint64_t bytes);
 
     void set(uint32_t index, uint32_t word);
     void set(uint32_t index, int32_t word) { set(index, static_cast<uint32_t>(word)); }
     void set(uint32_t index, const Vec3<int32_t>& vector);
+    void set(uint32_t index, const Colour<int32_t>& colour);
     void set_address(Register low, uint64_t address);
     uint32_t get(uint32_t index);
 
@@ -82,6 +86,7 @@ private:
     Status status_ = done();
     uint64_t next_address_ = 0;
     uint64_t output_address_ = 0;
+    uint64_t output_vertices_address_ = 0;
     sc_core::sc_time local_time_;
     sc_core::sc_event start_event_;
 };

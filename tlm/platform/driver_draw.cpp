@@ -1,6 +1,7 @@
 // How the driver lays a draw out in memory and programs the device for it.
 
 #include "tlm/platform/driver.h"
+#include "tlm/platform/frame_registers.h"
 #include "tlm/records.h"
 
 namespace repousse::shell {
@@ -21,6 +22,13 @@ uint64_t base_bytes(const SweepDraw<Fixed>& draw) {
     return draw.triangles.size() * sizeof(SweepRecord) + kAlignment + bytes_of(draw.z_table);
 }
 
+uint64_t output_bytes(const AdaptiveDraw<Fixed>&, uint32_t capacity) {
+    return aligned(capacity * sizeof(OutputRecord));
+}
+uint64_t output_bytes(const SweepDraw<Fixed>&, uint32_t capacity) {
+    return aligned(capacity * sizeof(FineTriangleRecord)) + aligned(capacity * sizeof(FineRecord));
+}
+
 template <class Records, class Items>
 Records records_of(const Items& items) {
     Records records;
@@ -32,14 +40,17 @@ Records records_of(const Items& items) {
 uint32_t bit(bool set, Feature feature) { return set ? uint32_t(feature) : 0; }
 
 uint32_t map_features(const MapView<Fixed>& map) {
-    return bit(map.wrap, kWrap) | bit(map.filter == HeightFilter::Bilinear, kBilinear);
+    return bit(map.wrap, kWrap) | bit(map.filter == HeightFilter::Bilinear, kBilinear) |
+           bit(map.filter == HeightFilter::Maximum, kMaximum) |
+           bit(map.filter == HeightFilter::Average, kAverage) | bit(map.has_minima, kMinima);
 }
 
 uint32_t features(const AdaptiveDraw<Fixed>& draw) {
     const AdaptiveRegisters<Fixed>& r = draw.registers;
     return bit(r.use_view_test, kUseViewTest) | bit(r.use_normal_test, kUseNormalTest) |
            bit(r.use_height_test, kUseHeightTest) | bit(r.use_bump, kUseBump) |
-           bit(r.eager, kEager) | bit(r.order == StackOrder::Fifo, kFifo) |
+           bit(r.use_shade, kUseShade) | bit(r.shade.two_sided, kTwoSided) | bit(r.eager, kEager) |
+           bit(r.order == StackOrder::Fifo, kFifo) |
            bit(r.normal_space == NormalSpace::Map, kMapSpaceNormals) |
            bit(r.height_test.box == BoxKind::Literal, kLiteralBoxes) |
            bit(r.height_test.mode == HeightMode::Sum, kSumMode) | map_features(draw.map);
@@ -47,7 +58,9 @@ uint32_t features(const AdaptiveDraw<Fixed>& draw) {
 
 uint32_t features(const SweepDraw<Fixed>& draw) {
     return kSweep | bit(draw.registers.use_bump, kUseBump) |
-           bit(draw.registers.use_clip, kUseClip) | map_features(draw.map);
+           bit(draw.registers.use_shade, kUseShade) |
+           bit(draw.registers.shade.two_sided, kTwoSided) | bit(draw.registers.use_clip, kUseClip) |
+           map_features(draw.map);
 }
 
 }  // namespace
@@ -57,8 +70,8 @@ uint64_t buffer_bytes(const Draw& draw, uint32_t output_capacity) {
         [output_capacity](const auto& d) {
             return aligned(d.vertices.size() * sizeof(VertexRecord)) + aligned(base_bytes(d)) +
                    aligned(bytes_of(d.tables.heights)) + aligned(bytes_of(d.tables.normals)) +
-                   aligned(bytes_of(d.tables.sums)) +
-                   aligned(output_capacity * sizeof(OutputRecord));
+                   aligned(bytes_of(d.tables.turns)) + aligned(bytes_of(d.tables.sums)) +
+                   output_bytes(d, output_capacity);
         },
         draw);
 }
@@ -77,12 +90,19 @@ void Driver::upload(const Draw& draw) {
             place(kVerticesLo, vertices.data(), bytes_of(vertices));
             upload_bases(d);
             place(kHeightsLo, d.tables.heights.data(), bytes_of(d.tables.heights));
-            place(kNormalsLo, d.tables.normals.data(), bytes_of(d.tables.normals));
+            if (d.tables.turns.empty()) {
+                place(kNormalsLo, d.tables.normals.data(), bytes_of(d.tables.normals));
+            } else {
+                place(kNormalsLo, d.tables.turns.data(), bytes_of(d.tables.turns));
+            }
             place(kSumsLo, d.tables.sums.data(), bytes_of(d.tables.sums));
         },
         draw);
     output_address_ = next_address_;
     set_address(kOutputLo, output_address_);
+    output_vertices_address_ =
+        output_address_ + aligned(map_.output_capacity * sizeof(FineTriangleRecord));
+    set_address(kOutputVerticesLo, output_vertices_address_);
 }
 
 void Driver::upload_bases(const AdaptiveDraw<Fixed>& draw) {
@@ -103,6 +123,10 @@ void Driver::program_common(const D& draw) {
     set(kScaleMantissa, draw.map.scale_mantissa);
     set(kScaleExponent, draw.map.scale_exponent);
     set(kBias, draw.map.bias);
+    set(kSlopeUMantissa, draw.map.slope_u.mantissa);
+    set(kSlopeUExponent, draw.map.slope_u.exponent);
+    set(kSlopeVMantissa, draw.map.slope_v.mantissa);
+    set(kSlopeVExponent, draw.map.slope_v.exponent);
     const ViewRegisters<Fixed>& c = draw.camera;
     set(kEye, c.eye);
     set(kRight, c.right);
@@ -118,6 +142,19 @@ void Driver::program_common(const D& draw) {
     set(kOutputCapacity, map_.output_capacity);
 }
 
+// The eye is the camera's.
+void Driver::program_shade(const ShadeRegisters<Fixed>& r) {
+    set(kAmbient, r.ambient);
+    set(kShininess, r.shininess);
+    uint32_t at = kLights;
+    for (const Light<Fixed>& light : r.lights) {
+        set(at, light.direction);
+        set(at + 3, light.diffuse);
+        set(at + 6, light.specular);
+        at += kLightWords;
+    }
+}
+
 void Driver::program(const AdaptiveDraw<Fixed>& draw) {
     program_common(draw);
     const AdaptiveRegisters<Fixed>& r = draw.registers;
@@ -126,10 +163,12 @@ void Driver::program(const AdaptiveDraw<Fixed>& draw) {
     set(kNormalThreshold, r.normal_threshold);
     set(kHeightThresholdLo, static_cast<uint32_t>(r.height_test.threshold));
     set(kHeightThresholdHi, static_cast<uint32_t>(r.height_test.threshold >> 32));
+    if (r.use_shade) program_shade(r.shade);
 }
 
 void Driver::program(const SweepDraw<Fixed>& draw) {
     program_common(draw);
+    set(kOutputVertexCapacity, map_.output_capacity);
     const GridRegisters<Fixed>& grid = draw.registers.grid;
     set(kGridFocalX, grid.focal_x);
     set(kGridFocalY, grid.focal_y);
@@ -150,6 +189,8 @@ void Driver::program(const SweepDraw<Fixed>& draw) {
     set(kClipCosineY, clip.cosine_y);
     set(kClipSineY, clip.sine_y);
     set(kClipMargin, clip.margin);
+    set(kLastLevel, draw.map.last_level);
+    if (draw.registers.use_shade) program_shade(draw.registers.shade);
 }
 
 }  // namespace repousse::shell

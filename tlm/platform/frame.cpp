@@ -16,7 +16,7 @@ void DisplacementUnit::run_frames() {
     while (true) {
         wait(start_event_);
         quantum_.reset();
-        output_count_ = 0;
+        output_count_ = output_vertex_count_ = 0;
         const FrameError error = run_frame();
         quantum_.sync();
         error_ = error;
@@ -45,20 +45,33 @@ const void* DisplacementUnit::view(uint64_t address, uint64_t bytes) {
     return at;
 }
 
-// A full buffer stops the frame until the host has emptied it, so any buffer is large enough.
-void DisplacementUnit::write(Span<const OutputRecord> triangles) {
+// A full buffer stops the frame until the host has emptied all, so any buffer is large enough.
+template <class Record>
+void DisplacementUnit::write(Span<const Record> records, Register low, Register capacity,
+                             uint32_t& count) {
     sc_core::sc_time delay = sc_core::SC_ZERO_TIME;
-    while (!triangles.empty()) {
-        if (output_count_ == frame_[kOutputCapacity]) wait_until_drained();
+    while (!records.empty()) {
+        if (count == frame_[capacity]) wait_until_drained();
         if (abort_) return;
-        const std::size_t n =
-            std::min(triangles.size(), std::size_t(frame_[kOutputCapacity] - output_count_));
-        memory_port.write(frame_.address(kOutputLo) + output_count_ * sizeof(OutputRecord),
-                          triangles.data(), n * sizeof(OutputRecord), delay);
-        output_count_ += static_cast<uint32_t>(n);
-        triangles = triangles.subspan(n, triangles.size() - n);
+        const std::size_t n = std::min(records.size(), std::size_t(frame_[capacity] - count));
+        memory_port.write(frame_.address(low) + count * sizeof(Record), records.data(),
+                          n * sizeof(Record), delay);
+        count += static_cast<uint32_t>(n);
+        records = records.subspan(n, records.size() - n);
     }
     quantum_.inc(delay);
+}
+
+void DisplacementUnit::write(Span<const OutputRecord> triangles) {
+    write(triangles, kOutputLo, kOutputCapacity, output_count_);
+}
+
+void DisplacementUnit::write(Span<const FineTriangleRecord> triangles) {
+    write(triangles, kOutputLo, kOutputCapacity, output_count_);
+}
+
+void DisplacementUnit::write(Span<const FineRecord> vertices) {
+    write(vertices, kOutputVerticesLo, kOutputVertexCapacity, output_vertex_count_);
 }
 
 void DisplacementUnit::wait_until_drained() {
@@ -67,7 +80,7 @@ void DisplacementUnit::wait_until_drained() {
     raise(kStatusBusy | kStatusOutputFull);
     wait(drained_event_);
     status_ = kStatusBusy;
-    if (!abort_) output_count_ = 0;
+    if (!abort_) output_count_ = output_vertex_count_ = 0;
 }
 
 bool DisplacementUnit::elapse(uint64_t cycles) {

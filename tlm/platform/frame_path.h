@@ -15,6 +15,7 @@
 #include "tlm/records.h"
 #include "tlm/units/bump.h"
 #include "tlm/units/displace.h"
+#include "tlm/units/shade.h"
 #include "tlm/units/vertex_transform.h"
 
 namespace repousse::shell {
@@ -27,12 +28,26 @@ struct SharedUnits {
           bump(config.has_bump() ? std::make_unique<Bump>("bump", config.profile) : nullptr),
           vertex_transform(config.has_vertex_transform() ? std::make_unique<VertexTransform>(
                                                                "vertex_transform", config.profile)
-                                                         : nullptr) {}
+                                                         : nullptr),
+          shade(config.has_displace() && config.shade
+                    ? std::make_unique<Shade>("shade", config.profile)
+                    : nullptr) {}
+
+    /// For a frame that wants colours, or does not.
+    void configure_shade(const FrameRegisters& frame) {
+        if (!shade) return;
+        if (frame.has(kUseShade)) {
+            shade->configure(frame.shade(), frame.has(kUseBump));
+        } else {
+            shade->disable();
+        }
+    }
 
     // Null where the configuration goes without.
     std::unique_ptr<Displace> displace;
     std::unique_ptr<Bump> bump;
     std::unique_ptr<VertexTransform> vertex_transform;
+    std::unique_ptr<Shade> shade;
 };
 
 /// What the device does for the frame that runs in it: memory, output, time.
@@ -49,8 +64,10 @@ public:
     /// False once an access was answered with an error.
     virtual bool memory_ok() const = 0;
 
-    /// Writes finished triangles; waits for the driver whenever the output buffer is full.
+    /// Write what is finished; wait for the driver whenever an output buffer is full.
     virtual void write(Span<const OutputRecord> triangles) = 0;
+    virtual void write(Span<const FineTriangleRecord> triangles) = 0;
+    virtual void write(Span<const FineRecord> vertices) = 0;
 
     /// Lets time pass. False: the frame is aborted. Tables may move: `FramePath::bind` is called.
     virtual bool elapse(uint64_t cycles) = 0;

@@ -23,7 +23,7 @@ struct PlatformResult {
 
 /// Choices of the platform around the device.
 struct PlatformOptions {
-    uint32_t output_capacity = 1 << 12;  ///< triangles in the output buffer
+    uint32_t output_capacity = 1 << 12;  ///< triangles, and fine vertices, in an output buffer
     bool allow_dmi = true;               ///< of the memory
     double memory_latency_ns = 50.0;     ///< a transaction
     double quantum_ns = 10000.0;         ///< of temporal decoupling

@@ -43,13 +43,13 @@ enum Register : uint32_t {
     kVerticesHi,
     kIndicesLo,  ///< address of uint32_t[3 * triangles]; sweep: of SweepRecord[triangles]
     kIndicesHi,
-    kHeightsLo,  ///< address of uint16_t[width * height]
+    kHeightsLo,  ///< address of uint16_t[width * height]; with filter levels: level_start()
     kHeightsHi,
-    kNormalsLo,  ///< address of int16_t[3 * width * height]
+    kNormalsLo,  ///< address of int16_t[3 * width * height]; bump of kind 2: [2 * width * height]
     kNormalsHi,
     kSumsLo,  ///< address of uint64_t[(width + 1) * (height + 1)]
     kSumsHi,
-    kOutputLo,  ///< address of OutputRecord[]
+    kOutputLo,  ///< address of OutputRecord[]; sweep: of FineTriangleRecord[]
     kOutputHi,
 
     // Sweep-line remeshing.
@@ -72,10 +72,26 @@ enum Register : uint32_t {
     kClipSineX,
     kClipCosineY,
     kClipSineY,
-    kClipMargin,  ///< raw `clip`
-    kFrameEnd,
+    kClipMargin,            ///< raw `clip`
+    kOutputVertexCapacity,  ///< vertices that fit their output buffer
+    kOutputVerticesLo,      ///< address of FineRecord[]
+    kOutputVerticesHi,
+    kLastLevel,  ///< filter levels behind the map, 0 to 14; kMaximum or kAverage only
+
+    // Bump of kind 1: a slope is a rise of heights over two texels * mantissa * 2^-exponent.
+    kSlopeUMantissa,
+    kSlopeUExponent,
+    kSlopeVMantissa,
+    kSlopeVExponent,
+
+    // Illumination.
+    kAmbient,                   ///< three words, raw `light`: red, green, blue
+    kShininess = kAmbient + 3,  ///< 1 to 255
+    kLights,                    ///< eight times direction, raw `normal`; diffuse, specular, `light`
+    kFrameEnd = kLights + 72,
 
     kOutputCount = kFrameEnd,  ///< read only: triangles in the output buffer
+    kOutputVertexCount,        ///< read only: vertices in their output buffer
     kCyclesLo,                 ///< read only: cycles since the last reset
     kCyclesHi,
     kRegisterCount,
@@ -128,6 +144,11 @@ enum Feature : uint32_t {
     kBilinear = 1 << 10,
     kSweep = 1 << 11,    ///< sweep-line remeshing instead of adaptive tessellation
     kUseClip = 1 << 12,  ///< sweep: clip base triangles
+    kUseShade = 1 << 13,
+    kTwoSided = 1 << 14,  ///< shade: the surface is lit as the viewer sees it from either side
+    kMaximum = 1 << 15,   ///< sweep: heights are the highest under a footprint; before kAverage
+    kAverage = 1 << 16,   ///< sweep: heights are averages under a footprint; before kBilinear
+    kMinima = 1 << 17,    ///< sweep: filter levels have minima of their own
 };
 
 }  // namespace repousse::shell

@@ -1,5 +1,7 @@
 #include "tlm/platform/sweep_path.h"
 
+#include "tlm/platform/bump_table.h"
+
 namespace repousse::shell {
 
 SweepPath::Units::Units(const DeviceConfig& config)
@@ -9,6 +11,7 @@ SweepPath::Units::Units(const DeviceConfig& config)
       triangle_setup("triangle_setup", config.profile),
       sweep_line("sweep_line", config.profile),
       perspective("perspective", config.profile),
+      footprint(config.levels ? std::make_unique<Footprint>("footprint", config.profile) : nullptr),
       strip("strip") {}
 
 SweepPath::SweepPath(const DeviceConfig& config, SharedUnits& shared, FrameHost& host)
@@ -38,10 +41,12 @@ void SweepPath::connect() {
 
     Chain<FineBatch> fine(units_->sweep_line.fine_out);
     fine.then(units_->perspective);
+    if (units_->footprint) fine.then(*units_->footprint);
     fine.then(shared_.displace->fine);
     if (shared_.bump) fine.then(shared_.bump->fine);
+    if (shared_.shade) fine.then(shared_.shade->fine);
     fine.then(units_->strip);
-    units_->strip.triangles_out.bind(triangle_buffer_.in);
+    units_->strip.fine_out.bind(triangle_buffer_.in);
 }
 
 SweepCounters SweepPath::counters() const {
@@ -56,8 +61,10 @@ SweepCounters SweepPath::counters() const {
     c.sweep_line = units_->sweep_line.counters();
     c.perspective = units_->perspective.counters();
     c.normalise = units_->perspective.normalise_counters();
+    if (units_->footprint) c.footprint = units_->footprint->counters();
     c.displace = shared_.displace->counters();
     if (shared_.bump) c.bump = shared_.bump->counters();
+    if (shared_.shade) c.shade = shared_.shade->counters();
     c.strip = units_->strip.counters();
     return c;
 }
@@ -72,6 +79,7 @@ void SweepPath::reset() {
     units_->triangle_setup.reset();
     units_->sweep_line.reset();
     units_->perspective.reset();
+    if (units_->footprint) units_->footprint->reset();
     units_->strip.reset();
 }
 
@@ -119,7 +127,9 @@ bool SweepPath::has_units() const {
     if (!units_) return true;
     const FrameRegisters& frame = host_.frame();
     const bool can_bump = shared_.bump && profile_.components == kSweepComponents;
-    return (!frame.has(kUseBump) || can_bump) && (!frame.has(kUseClip) || units_->view_clip);
+    return (!frame.has(kUseBump) || can_bump) && (!frame.has(kUseShade) || shared_.shade) &&
+           (!frame.has(kUseClip) || units_->view_clip) &&
+           (!reads_levels(frame.map().filter) || units_->footprint);
 }
 
 bool SweepPath::in_range() const {
@@ -128,14 +138,18 @@ bool SweepPath::in_range() const {
         static_cast<ZTableKind>(profile_.z_table_kind) != ZTableKind::Uniform ||
         frame[kZTableShift] < 64;
     constexpr int32_t kSlotLimit = 1 << (kGridSlotBits - 1);
-    return frame.word(kWMin) > 0 && frame.word(kWScale) >= frame.word(kWMin) && depth_table &&
-           frame.word(kGuard) >= 1 && frame.word(kGuard) <= kGridLimit &&
+    const MapView<Fixed> map = frame.map();
+    const bool levels =
+        frame[kLastLevel] <= kMostLevels && (frame[kLastLevel] == 0 || reads_levels(map.filter));
+    return levels && frame.word(kWMin) > 0 && frame.word(kWScale) >= frame.word(kWMin) &&
+           depth_table && frame.word(kGuard) >= 1 && frame.word(kGuard) <= kGridLimit &&
            frame.word(kZOffset) >= -kSlotLimit && frame.word(kZOffset) < kSlotLimit;
 }
 
 void SweepPath::configure() {
     triangle_buffer_.configure(
-        [this](Span<const OutputRecord> triangles) { host_.write(triangles); });
+        {[this](Span<const FineRecord> vertices) { host_.write(vertices); },
+         [this](Span<const FineTriangleRecord> triangles) { host_.write(triangles); }});
     stream_time_ = {};
     if (units_) configure_units();
 }
@@ -144,6 +158,7 @@ void SweepPath::configure_units() {
     const FrameRegisters& frame = host_.frame();
     const bool use_bump = frame.has(kUseBump);
     shared_.vertex_transform->configure(frame.camera());
+    shared_.configure_shade(frame);
     if (units_->view_clip) {
         units_->view_clip->enable(frame.has(kUseClip));
         units_->view_clip->configure({frame.word(kClipNear), frame.word(kClipFar),
@@ -152,7 +167,13 @@ void SweepPath::configure_units() {
                                       frame.word(kClipMargin)});
     }
     units_->triangle_setup.configure({frame.word(kGuard), frame.word(kZOffset)},
-                                     use_bump ? kSweepComponents : kPlainComponents);
+                                     use_bump ? kSweepComponents : kPlainComponents,
+                                     reads_levels(frame.map().filter));
+    if (units_->footprint) {
+        units_->footprint->enable(reads_levels(frame.map().filter));
+        units_->footprint->configure({frame.word(kMapWidth), frame.word(kMapHeight),
+                                      frame.word(kLastLevel), frame.vector(kEye)});
+    }
     units_->perspective.configure(use_bump);
     units_->sweep_line.configure(
         [this](const BatchTime& time) { return elapse(time, stream_time_.inner(time)); });
@@ -171,8 +192,8 @@ FrameError SweepPath::bind_units() {
     const FrameRegisters& frame = host_.frame();
     MapView<Fixed> map = frame.map();
     const auto texels = std::size_t(frame[kMapWidth]) * frame[kMapHeight];
-    map.heights = host_.table<uint16_t>(kHeightsLo, texels);
-    if (frame.has(kUseBump)) map.normals = host_.table<Vec3<int16_t>>(kNormalsLo, texels);
+    map.heights = host_.table<uint16_t>(kHeightsLo, height_table_size(map));
+    if (frame.has(kUseBump)) bind_bump(host_, shared_.bump->bump_kind(), texels, map);
 
     GridRegisters<Fixed> grid;
     grid.w_min = frame.word(kWMin);

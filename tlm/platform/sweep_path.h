@@ -5,6 +5,7 @@
 #include "datapath/pipelines/sweep_counters.h"
 #include "tlm/platform/frame_path.h"
 #include "tlm/units/controller.h"
+#include "tlm/units/footprint.h"
 #include "tlm/units/grid_transform.h"
 #include "tlm/units/perspective.h"
 #include "tlm/units/strip.h"
@@ -40,6 +41,7 @@ private:
         TriangleSetup triangle_setup;
         SweepLine sweep_line;
         Perspective perspective;
+        std::unique_ptr<Footprint> footprint;  // null where the configuration goes without
         Strip strip;
     };
 

@@ -63,11 +63,11 @@ Controller::Outcome Controller::gather(const Frame& frame, uint32_t& next) {
 
 void Controller::send_direct(const Frame& frame, const OrderToken& token,
                              const SweepRecord& record) {
-    OutputRecord triangle{};
+    DirectTriangle triangle{};
     triangle.base = token.base;
     for (uint8_t k = 0; k < 3; ++k) {
         const Vertex<Fixed> vertex = vertex_of(frame.vertex(record.vertices[k]));
-        triangle.corners[k] = corner_of(unit_.undisplaced(vertex, k));
+        triangle.corners[k] = unit_.undisplaced(vertex, k);
     }
     order->push_direct(triangle);
 }

@@ -11,12 +11,10 @@ void Perspective::configure(bool tangents) { unit_.configure(tangents); }
 
 // Normal and tangent have a normalisation each.
 void Perspective::process(FineBatch& batch, BatchTime& time) {
-    FineVertex<Fixed>* next = batch.vertices.begin();
-    for (const SweepStep& step : batch.steps) {
-        for (std::size_t i = 0; i < step.vertex_count; ++i) unit_(step.vertices[i], *next++);
-    }
-    time.stage(kPerspectiveDesc, batch.vertices.size());
-    time.stage(kNormaliseDesc, batch.vertices.size(), batch.vertices.size(), normalise_latency_);
+    unit_.run(batch.vertices);
+    const std::size_t n = batch.vertices.size;
+    time.stage(kPerspectiveDesc, n);
+    time.stage(kNormaliseDesc, n, n, normalise_latency_);
 }
 
 }  // namespace repousse::shell

@@ -36,9 +36,8 @@ private:
     // The batch under way.
     std::vector<SweepStep> steps_;
     std::vector<FinePiece> pieces_;
-    std::vector<FineVertex<Fixed>> vertices_;
+    FineVertices<Fixed> vertices_;
     std::size_t step_count_ = 0;
-    std::size_t vertex_count_ = 0;
 };
 
 }  // namespace repousse::shell

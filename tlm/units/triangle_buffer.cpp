@@ -10,8 +10,8 @@ TriangleBuffer::TriangleBuffer(const sc_core::sc_module_name& name) : sc_module(
     in.bind(*this);
 }
 
-void TriangleBuffer::configure(std::function<void(Span<const OutputRecord>)> emit) {
-    emit_ = std::move(emit);
+void TriangleBuffer::configure(Sink sink) {
+    sink_ = std::move(sink);
     unit_.clear();
 }
 
@@ -21,25 +21,39 @@ void TriangleBuffer::expect(const OrderToken& token) {
     unit_.expect(token);
 }
 
-void TriangleBuffer::push_direct(const OutputRecord& triangle) { unit_.push_direct(triangle); }
+void TriangleBuffer::push_direct(const DirectTriangle& triangle) { unit_.push_direct(triangle); }
 
-void TriangleBuffer::push(const StripBatch& batch) {
-    for (std::size_t first = 0; first < batch.triangles.size();) {
-        const auto make = [&](std::size_t i, OutputRecord& record) {
-            const auto& [a, b, c] = batch.triangles[first + i];
-            record.base = batch.base;
-            record.depth = 0;
-            record.digits = {};
-            record.corners = {batch.vertices[a], batch.vertices[b], batch.vertices[c]};
+// A direct triangle before it may still wait for room: the next numbers are its vertices'.
+void TriangleBuffer::await_lock() {
+    if (!unit_.locked_by(Route::Displaced)) drain();
+}
+
+uint32_t TriangleBuffer::push(const FineVertices<Fixed>& batch, std::size_t first,
+                              std::size_t count) {
+    await_lock();
+    const uint32_t number = unit_.vertex_count();
+    for (const std::size_t end = first + count; first < end;) {
+        const auto make = [&](std::size_t i, FineRecord& record) {
+            record = batch.output(first + i);
         };
-        first += unit_.push(batch.triangles.size() - first, make);
-        if (first < batch.triangles.size()) drain();
+        first += unit_.push_vertices(end - first, make);
+        if (first < end) drain();
+    }
+    return number;
+}
+
+void TriangleBuffer::push(uint32_t base, Span<const std::array<uint32_t, 3>> triangles) {
+    for (std::size_t first = 0; first < triangles.size();) {
+        const auto make = [&](std::size_t i, FineTriangleRecord& record) {
+            record = {base, triangles[first + i]};
+        };
+        first += unit_.push(triangles.size() - first, make);
+        if (first < triangles.size()) drain();
     }
 }
 
-// A direct triangle before it may still wait for room.
 void TriangleBuffer::finish() {
-    if (!unit_.locked_by(Route::Displaced)) drain();
+    await_lock();
     unit_.finish();
 }
 

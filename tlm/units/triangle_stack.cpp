@@ -18,6 +18,8 @@ bool TriangleStack::run(const Frame& frame) {
     Contexts<Fixed> lanes(static_cast<int>(kBatchTriangles), frame.order, frame.cap);
     Children<Fixed> result;
     BatchTime time;
+    // What the frame has no unit for stays 0.
+    edges_.assign(edges_.size(), {});
     const auto fetch = [&](Triangle<Fixed>& place) {
         if (!frame.fetch(place)) return false;
         BatchTime base;

@@ -21,6 +21,7 @@ struct Mesh {
     std::vector<glm::dvec3> tangents;   ///< unit length, along dP/du, orthogonal to the normal
     std::vector<double> handedness;     ///< +1 or -1: bitangent = handedness * cross(N, T)
     std::vector<glm::dvec2> uv;         ///< in units of the map: texel = uv * size
+    std::vector<glm::dvec3> colours;    ///< linear light, 0..1: what the device shaded
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise from outside
 
     /// World length of one unit of u and of v (area-weighted mean over the mesh): divided by the

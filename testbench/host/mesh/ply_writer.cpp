@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "testbench/host/files.h"
+#include "testbench/host/view/picture.h"
 
 namespace repousse::host {
 namespace {
@@ -33,11 +34,13 @@ private:
 std::string to_ply(const Mesh& mesh) {
     const bool normals = !mesh.normals.empty();
     const bool uv = !mesh.uv.empty();
+    const bool colours = !mesh.colours.empty();
     std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex " +
                          std::to_string(mesh.positions.size()) +
                          "\nproperty double x\nproperty double y\nproperty double z\n";
     if (normals) header += "property double nx\nproperty double ny\nproperty double nz\n";
     if (uv) header += "property double u\nproperty double v\n";
+    if (colours) header += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
     header += "element face " + std::to_string(mesh.triangles.size()) +
               "\nproperty list uchar uint vertex_indices\nend_header\n";
     Bytes out(std::move(header));
@@ -46,6 +49,7 @@ std::string to_ply(const Mesh& mesh) {
         for (int k = 0; k < 3; ++k) out.number(mesh.positions[i][k]);
         for (int k = 0; normals && k < 3; ++k) out.number(mesh.normals[i][k]);
         for (int k = 0; uv && k < 2; ++k) out.number(mesh.uv[i][k]);
+        for (int k = 0; colours && k < 3; ++k) out.word(to_srgb8(mesh.colours[i][k]), 1);
     }
     for (const auto& triangle : mesh.triangles) {
         out.word(3, 1);

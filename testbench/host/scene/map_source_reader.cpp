@@ -126,6 +126,35 @@ void read_cut(TableReader& reader, MapSource& map) {
     if (!size.empty()) map.resample = glm::ivec2(size[0], size[1]);
 }
 
+/// How heights are read, and of which filter levels. One without the other would have no effect.
+void read_filter(TableReader& reader, MapSource& map) {
+    static const std::vector<std::string> kFilters{"nearest", "bilinear", "maximum", "average"};
+    const int levels = reader.choice("levels", {"none", "average", "maximum", "variational"}, 0);
+    switch (levels) {
+        case 1:
+            map.levels = LevelFilter::Average;
+            break;
+        case 2:
+            map.levels = LevelFilter::BoxMaximum;
+            break;
+        case 3:
+            map.levels = LevelFilter::Variational;
+            break;
+        default:
+            break;
+    }
+    const int usual = static_cast<int>(map.levels ? HeightFilter::Maximum : HeightFilter::Nearest);
+    map.filter = static_cast<HeightFilter>(reader.choice("filter", kFilters, usual));
+    const std::string name = kFilters[static_cast<std::size_t>(map.filter)];
+    if (reads_levels(map.filter) && !map.levels) {
+        reader.fail("filter", "filter = \"" + name + "\" without filter levels",
+                    "levels = \"maximum\", \"average\" or \"variational\"");
+    } else if (map.levels && !reads_levels(map.filter)) {
+        reader.fail("levels", "filter levels that filter = \"" + name + "\" does not read",
+                    "filter = \"maximum\" or \"average\"");
+    }
+}
+
 }  // namespace
 
 MapRecipe read_recipe(TableReader& reader, MapKind fallback_kind) {
@@ -199,7 +228,7 @@ MapSource read_map_source(const TomlValue& table, ReadContext& context) {
     map.flip_rows = reader.boolean("flip_rows", false);
     map.range = read_range(reader, table);
     map.wrap = reader.boolean("wrap", false);
-    map.filter = static_cast<HeightFilter>(reader.choice("filter", {"nearest", "bilinear"}, 0));
+    read_filter(reader, map);
     map.uv = static_cast<UvSpan>(reader.choice("uv", {"edges", "centres", "turn"}, 0));
     if (map.wrap && map.uv == UvSpan::Centres) {
         reader.fail("uv", "uv = \"centres\" on a map that wraps",

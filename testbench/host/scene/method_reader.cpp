@@ -120,13 +120,14 @@ const char* method_name(Method method) {
 
 void read_method(TableReader& reader, Object& object, ReadContext& context) {
     object.method = read_name(reader);
-    for (const char* key : {"shade", "patches", "tiles", "decal"}) {
+    for (const char* key : {"patches", "tiles", "decal"}) {
         if (!reader.has(key)) continue;
         reader.fail(key, std::string("[object.") + key + "] is not built yet",
                     "an object without it");
     }
     if (object.method == Method::Direct) {
         refuse(reader, "map", object.method);
+        refuse(reader, "shade", object.method);
         object.map.recipe.width = object.map.recipe.height = 1;
     } else {
         reader.require("map", "a table [object.map]");
@@ -138,6 +139,12 @@ void read_method(TableReader& reader, Object& object, ReadContext& context) {
         }
     } else {
         refuse(reader, "adaptive", object.method);
+    }
+    if (object.map.levels && object.method == Method::Adaptive) {
+        context.fail(object.map.mark,
+                     "[object.map] levels in an object of method \"adaptive\", which has no "
+                     "footprints",
+                     "method = \"sweep\", or a map without levels");
     }
     if (object.method == Method::Sweep) {
         if (const TomlValue* sweep = reader.table("sweep")) {

@@ -1,5 +1,6 @@
 #include "testbench/host/scene/object_reader.h"
 
+#include "datapath/units/shade_desc.h"
 #include "testbench/host/files.h"
 
 namespace repousse::host {
@@ -54,6 +55,20 @@ MeshSource read_mesh_source(const TomlValue& table, ReadContext& context) {
     return mesh;
 }
 
+Material read_material(const TomlValue& table, ReadContext& context) {
+    TableReader reader(table, "object.shade", context);
+    Material material;
+    material.mark = reader.mark();
+    material.ambient = reader.vector3("ambient", material.ambient, 0.0, 1.0);
+    material.diffuse = reader.vector3("diffuse", material.diffuse, 0.0, 1.0);
+    material.specular = reader.vector3("specular", material.specular, 0.0, 1.0);
+    material.shininess =
+        reader.integer("shininess", material.shininess, 1, (1 << kShininessBits) - 1);
+    material.two_sided = reader.boolean("two_sided", material.two_sided);
+    reader.finish();
+    return material;
+}
+
 }  // namespace
 
 Object read_object(const TomlValue& table, int index, ReadContext& context) {
@@ -70,6 +85,9 @@ Object read_object(const TomlValue& table, int index, ReadContext& context) {
     if (const TomlValue* bump = reader.table("bump")) {
         object.bump = true;
         TableReader(*bump, "object.bump", context).finish();
+    }
+    if (const TomlValue* shade = reader.table("shade")) {
+        object.shade = read_material(*shade, context);
     }
     reader.finish();
     return object;

@@ -14,6 +14,7 @@
 #include "datapath/units/height_test.h"
 #include "datapath/units/normal_test.h"
 #include "datapath/units/triangle_stack.h"
+#include "testbench/host/map/filter_levels.h"
 #include "testbench/host/map/procedural_map.h"
 #include "testbench/host/map/range_map.h"
 
@@ -129,6 +130,7 @@ struct MapSource {
     glm::dvec2 range{0.0, 1.0};          ///< world displacement at h = 0 and h = 65535
     bool wrap = false;
     HeightFilter filter = HeightFilter::Nearest;
+    std::optional<LevelFilter> levels;  ///< filter levels to read from; absent: the map alone
     UvSpan uv = UvSpan::Edges;
     SceneMark mark;
 };
@@ -176,6 +178,16 @@ enum class Method {
 /// The method as a scene writes it.
 const char* method_name(Method method);
 
+/// What a surface does with light in the device's unit `shade` (Phong). Colours are sRGB, 0..1.
+struct Material {
+    glm::dvec3 ambient{0.20};  ///< as it leaves the surface where no light falls
+    glm::dvec3 diffuse{0.72, 0.70, 0.66};
+    glm::dvec3 specular{0.35};
+    int shininess = 40;      ///< the highlight's exponent, 1..255
+    bool two_sided = false;  ///< lit on the side that the viewer sees
+    SceneMark mark;
+};
+
 /// One object.
 struct Object {
     std::string name;
@@ -184,7 +196,8 @@ struct Object {
     MapSource map;  ///< Method::Direct: one texel without displacement
     AdaptiveSettings adaptive;
     SweepSettings sweep;
-    bool bump = false;  ///< displaced normals are wanted in the output
+    bool bump = false;              ///< displaced normals are wanted in the output
+    std::optional<Material> shade;  ///< the device colours the vertices
     SceneMark mark;
 };
 

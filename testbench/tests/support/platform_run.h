@@ -20,20 +20,21 @@ struct Expected {
 namespace detail {
 
 inline auto key(const Vec3<int32_t>& v) { return std::make_tuple(v.x, v.y, v.z); }
+inline auto key(const Colour<int32_t>& c) { return std::make_tuple(c.red, c.green, c.blue); }
 
 inline auto key(const OutputVertex<Fixed>& v) {
-    return std::make_tuple(v.uv.x, v.uv.y, key(v.displaced), key(v.displaced_normal), v.generation);
+    return std::make_tuple(v.uv.x, v.uv.y, key(v.displaced), key(v.displaced_normal), key(v.colour),
+                           v.generation);
 }
 
 inline auto key(const SweepOutputVertex<Fixed>& v) {
-    return std::make_tuple(v.uv.x, v.uv.y, key(v.displaced), key(v.displaced_normal), v.name.kind,
-                           v.name.part, v.name.a, v.name.b);
+    return std::make_tuple(v.uv.x, v.uv.y, key(v.displaced), key(v.displaced_normal), key(v.colour),
+                           v.name.kind, v.name.part, v.name.a, v.name.b);
 }
 
 inline auto key(const OutputTriangle<Fixed>& t) {
     return std::make_tuple(t.path.base, t.path.depth, t.path.digits);
 }
-inline auto key(const SweepOutput<Fixed>& t) { return std::make_tuple(t.base); }
 
 }  // namespace detail
 
@@ -59,7 +60,11 @@ inline Expected bare_loops(const Profile& profile, const std::vector<shell::Draw
                                                     expected);
         } else {
             const auto& sweep = std::get<SweepDraw<Fixed>>(draw);
-            detail::run_bare<SweepOutput<Fixed>>(SweepPipeline<Fixed>(profile, sweep), expected);
+            SweepPipeline<Fixed> pipeline(profile, sweep);
+            SweepMesh<Fixed> mesh;
+            pipeline.run(mesh);
+            merge_rows(expected.counters, pipeline.counters().rows());
+            expected.outputs.emplace_back(std::move(mesh));
         }
     }
     return expected;
@@ -75,6 +80,16 @@ bool same(const std::vector<T>& a, const std::vector<T>& b) {
             equal = detail::key(a[i].corners[k]) == detail::key(b[i].corners[k]);
         }
         if (!equal) std::fprintf(stderr, "triangle %zu differs\n", i);
+    }
+    return equal;
+}
+
+/// The same, and vertices are numbered in the same way.
+inline bool same(const SweepMesh<Fixed>& a, const SweepMesh<Fixed>& b) {
+    bool equal = a.vertices.size() == b.vertices.size() && a.triangles == b.triangles;
+    for (std::size_t i = 0; equal && i < a.vertices.size(); ++i) {
+        equal = detail::key(a.vertices[i]) == detail::key(b.vertices[i]);
+        if (!equal) std::fprintf(stderr, "vertex %zu differs\n", i);
     }
     return equal;
 }
@@ -123,6 +138,7 @@ inline DeviceConfig config_for(const Profile& profile, const std::vector<shell::
             needs.normal_test = r.use_normal_test;
             needs.height_test = r.use_height_test;
             needs.bump = r.use_bump;
+            needs.shade = r.use_shade;
         } else {
             const auto& sweep = std::get<SweepDraw<Fixed>>(draw);
             const SweepRegisters<Fixed>& r = sweep.registers;
@@ -130,7 +146,9 @@ inline DeviceConfig config_for(const Profile& profile, const std::vector<shell::
                 (triangle.direct ? needs.direct : needs.sweep) = true;
             }
             needs.view_clip = needs.sweep && r.use_clip;
+            needs.levels = needs.sweep && reads_levels(sweep.map.filter);
             needs.bump = r.use_bump;
+            needs.shade = r.use_shade;
         }
         config.include(needs);
     }
