@@ -2,12 +2,9 @@
 
 #include <cstddef>
 
-#include "datapath/units/triangle_setup_math.h"
+#include "datapath/numbers/divide.h"
 
 namespace repousse {
-
-using namespace setup;
-
 namespace {
 
 SlotStep slot_step(int32_t difference, int32_t steps) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "datapath/sweep_items.h"
@@ -92,6 +93,16 @@ private:
     PrimaryWalk primary_walk(const SweepTriangle& out, const Frame& frame, int from, int to) const;
     void set_halves(SweepTriangle& out, const Frame& frame) const;
     EdgeWalk edge_walk(const SweepTriangle& out, const Frame& frame, int from, int to) const;
+    static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+    static int32_t at_least_one(int32_t steps) { return steps > 1 ? steps : 1; }
+
+    // Whether an edge's steps are counted from `from`: the same answer for both triangles on the
+    // edge. Corners without ids of their own are told apart by their number.
+    static bool is_canonical(const SweepTriangle& triangle, int from, int to) {
+        const uint32_t p = triangle.corners[index(from)].id, q = triangle.corners[index(to)].id;
+        return p != q ? p < q : from < to;
+    }
+
     SweepVector edge_difference(const SweepTriangle& out, int from, int to, int32_t steps) const;
     SweepVector edge_start(const SweepTriangle& out, int from, int to, int32_t steps,
                            const SweepVector& difference) const;

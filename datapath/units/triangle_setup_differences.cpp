@@ -1,11 +1,10 @@
 // Steps 5 and 6 of the setup: what vertex data advance by, along edges and inside.
 
 #include "datapath/units/triangle_setup.h"
-#include "datapath/units/triangle_setup_math.h"
+
+#include "datapath/numbers/divide.h"
 
 namespace repousse {
-
-using namespace setup;
 
 // Rounded differences, half up, with the guard bits: a numerator of at most 49 bits and 13 more.
 int64_t TriangleSetup::rounded_quotient(int64_t numerator, int64_t divisor) const {

@@ -2,9 +2,9 @@
 
 #include "datapath/numbers/policy.h"
 #include "datapath/pipelines/sweep_chain_desc.h"
+#include "datapath/sweep_line_ports.h"
 #include "datapath/units/perspective.h"
 #include "datapath/units/strip.h"
-#include "datapath/units/sweep_line_ports.h"
 #include "datapath/units/triangle_setup.h"
 #include "testbench/cosim/sweep_line_cases.h"
 #include "testbench/cosim/unit_model.h"

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "datapath/units/sweep_line_ports.h"
+#include "datapath/sweep_line_ports.h"
 #include "datapath/units/triangle_setup.h"
 #include "testbench/cosim/sweep_line_cases.h"
 #include "testbench/cosim/unit_model.h"

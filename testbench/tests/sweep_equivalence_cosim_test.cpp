@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "datapath/units/sweep_line_ports.h"
+#include "datapath/sweep_line_ports.h"
 #include "datapath/units/triangle_setup.h"
 #include "testbench/cosim/engine_builder.h"
 #include "testbench/cosim/session.h"

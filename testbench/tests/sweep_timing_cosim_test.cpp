@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "datapath/units/sweep_line_ports.h"
+#include "datapath/sweep_line_ports.h"
 #include "testbench/cosim/engine_builder.h"
 #include "testbench/cosim/unit_model.h"
 #include "testbench/tests/support/sweep_run.h"

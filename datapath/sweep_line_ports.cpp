@@ -1,4 +1,4 @@
-#include "datapath/units/sweep_line_ports.h"
+#include "datapath/sweep_line_ports.h"
 
 #include <algorithm>
 #include <cstddef>
