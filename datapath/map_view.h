@@ -24,6 +24,11 @@ inline constexpr bool reads_levels(HeightFilter filter) {
 /// Filter levels of a map beyond itself: the last one of 16384 texels a side is 1 x 1.
 inline constexpr int kMostLevels = 14;
 
+/// Levels below the one that a footprint asks for, at most (register `finer`): up to
+/// kMostPlaces ^ 2 = 25 reads a vertex instead of four.
+inline constexpr int kMostFiner = 2;
+inline constexpr int kMostPlaces = (1 << kMostFiner) + 1;
+
 /// Texels of filter level `level` along a side of `size` texels.
 inline constexpr int level_side(int size, int level) { return (size + (1 << level) - 1) >> level; }
 
@@ -60,6 +65,8 @@ struct MapView {
     int height = 0;     ///< texels
     bool wrap = false;  ///< periodic in both directions; otherwise clamped at the border
     HeightFilter filter = HeightFilter::Nearest;
+    int finer =
+        0;  ///< levels below that of the footprint, 0..kMostFiner; above 0 for Maximum alone
     int last_level = 0;       ///< filter levels that the table holds behind the map, 0..kMostLevels
     bool has_minima = false;  ///< of its own for vertices seen from the back, from level 1 on
 
@@ -113,5 +120,9 @@ inline int texel_address(int i, int size, bool wrap) {
     i = i > size - 1 ? size - 1 : i;
     return i;
 }
+
+/// The same for a batch: to[i] = texel_address((u[i] - offset) >> frac, size, wrap).
+void texel_addresses(const int32_t* u, std::size_t n, int32_t offset, int frac, int size, bool wrap,
+                     int32_t* to);
 
 }  // namespace repousse

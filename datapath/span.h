@@ -16,6 +16,8 @@ public:
     template <std::size_t N>
     constexpr Span(T (&array)[N]) : data_(array), size_(N) {}
     template <class U, std::size_t N>
+    constexpr Span(std::array<U, N>& array) : data_(array.data()), size_(N) {}
+    template <class U, std::size_t N>
     constexpr Span(const std::array<U, N>& array) : data_(array.data()), size_(N) {}
     template <class U>
     Span(std::vector<U>& vector) : data_(vector.data()), size_(vector.size()) {}

@@ -24,11 +24,6 @@ namespace repousse::shell {
 /// cache.
 inline constexpr std::size_t kBatchBases = 32;
 
-/// Most steps of the sweep line in a batch, which may belong to several base triangles. It ends
-/// before when its vertices, one to two each, might be more than FineVertices holds: these stay
-/// close to the first-level cache.
-inline constexpr std::size_t kBatchSweepSteps = 64;
-
 /// A base vertex on the grid.
 struct GridVertex {
     EyePoint<Fixed> eye;
@@ -59,17 +54,18 @@ struct BaseBatch {
 /// Consecutive steps of one base triangle.
 struct FinePiece {
     uint32_t base = 0;
-    uint32_t steps = 0;
+    uint32_t runs = 0;
     uint32_t vertices = 0;
     bool last = false;     ///< the base triangle is complete after them
     bool runaway = false;  ///< it was given up: what the strip holds of it is void
     const TexelSteps<int32_t>* texel_steps = nullptr;  ///< the base triangle's; null: no vertices
 };
 
-/// Steps on their way to the triangle buffer. `vertices` are those of the steps, in their order.
+/// Steps on their way to the triangle buffer, of one base triangle or several. `vertices` are those
+/// of the steps, in their order.
 struct FineBatch {
     Span<const FinePiece> pieces;
-    Span<const SweepStep> steps;
+    Span<const SweepRun> runs;
     FineVertices<Fixed>& vertices;
 };
 

@@ -187,6 +187,7 @@ Scaled Reciprocal::operator()(std::uint64_t x) const {
     return normalised(q, 63 + mantissa_bits_ - s.shift, mantissa_bits_);
 }
 
+REPOUSSE_VECTOR_CLONES
 void Reciprocal::operator()(const std::int32_t* x, std::size_t n, std::int32_t* mantissas,
                             std::int32_t* exponents) const {
     assert(n <= kFunctionBatch);
@@ -241,6 +242,7 @@ Scaled InverseSqrt::operator()(std::uint64_t x) const {
                       mantissa_bits_);
 }
 
+REPOUSSE_VECTOR_CLONES
 void InverseSqrt::operator()(const std::int64_t* x, std::size_t n, std::int32_t* mantissas,
                              std::int32_t* exponents) const {
     assert(n <= kFunctionBatch);

@@ -16,8 +16,7 @@ using Wide = Fixed::Wide;
 /// A shift for each value of a batch.
 struct Shifts {
     uint64_t right[kFunctionBatch];
-    uint64_t bias[kFunctionBatch];
-    uint64_t below[kFunctionBatch];
+    uint64_t bias[kFunctionBatch];  // Shift::below is bias >> right: half a unit leaves nothing
 };
 
 /// to[i] = from[i] * mantissas[i], shifted and rounded. True if all lie within low .. high.
@@ -28,8 +27,8 @@ bool shifted_products(const Value* from, const int32_t* mantissas, const Shifts&
     REPOUSSE_INDEPENDENT
     for (std::size_t i = 0; i < n; ++i) {
         const auto product = static_cast<uint64_t>(Wide{from[i]} * mantissas[i]);
-        const auto wanted =
-            static_cast<Wide>(((product + shifts.bias[i]) >> shifts.right[i]) - shifts.below[i]);
+        const auto wanted = static_cast<Wide>(((product + shifts.bias[i]) >> shifts.right[i]) -
+                                              (shifts.bias[i] >> shifts.right[i]));
         outside |= (wanted - low) | (high - wanted);
         to[i] = static_cast<Value>(wanted);
     }
@@ -47,11 +46,9 @@ bool set_shifts(const int32_t* exponents, int more, std::size_t n, Shifts& shift
         const int32_t right = wanted < 0 ? 0 : wanted;
         shifts.right[i] = static_cast<uint32_t>(right > 63 ? 63 : right);
         shifts.bias[i] = 1;
-        shifts.below[i] = Fixed::Shift::kTop;
     }
     for (std::size_t i = 0; i < n; ++i) {
         shifts.bias[i] = Fixed::Shift::kTop + ((shifts.bias[i] << shifts.right[i]) >> 1);
-        shifts.below[i] >>= shifts.right[i];
     }
     return any_left >= 0;
 }

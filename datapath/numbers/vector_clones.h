@@ -1,12 +1,12 @@
 #pragma once
 
-// With g++ on x86-64 a function with this mark is compiled twice, for every processor and for those
-// with 256-bit integer vectors, and the loader picks one; `flatten` inlines what it calls into
-// both. The results are the same integers. Sanitizers get the plain one: the choice would run
-// before their own set-up.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+// With g++ 12 or later on x86-64 a function with this mark is compiled twice, for every processor
+// and for those with 256-bit integer vectors and a count of leading zeros (x86-64-v3), and the
+// loader picks one; `flatten` inlines what it calls into both. The results are the same integers.
+// Sanitizers get the plain one: the choice would run before their own set-up.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12 && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define REPOUSSE_VECTOR_CLONES __attribute__((flatten, target_clones("default", "avx2")))
+#define REPOUSSE_VECTOR_CLONES __attribute__((flatten, target_clones("default", "arch=x86-64-v3")))
 #else
 #define REPOUSSE_VECTOR_CLONES
 #endif

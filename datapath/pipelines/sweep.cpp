@@ -33,8 +33,7 @@ SweepPipeline<P>::SweepPipeline(const Profile& profile, const SweepDraw<P>& draw
       sweep_line_(sweep_options(profile)),
       perspective_(profile),
       displace_(profile),
-      corners_(draw.vertices.size()),
-      steps_(kBatchSteps) {
+      corners_(draw.vertices.size()) {
     const SweepRegisters<P>& registers = draw.registers;
     const MapView<P> map = draw.view();
     controller_.configure(static_cast<uint32_t>(draw.vertices.size()), registers.use_bump);
@@ -50,7 +49,7 @@ SweepPipeline<P>::SweepPipeline(const Profile& profile, const SweepDraw<P>& draw
     perspective_.configure(registers.use_bump);
     if (reads_levels(map.filter)) {
         footprint_.emplace(profile);
-        footprint_->configure({map.width, map.height, map.last_level, draw.camera.eye});
+        footprint_->configure({map.width, map.height, map.last_level, map.finer, draw.camera.eye});
     }
     displace_.configure(map);
     if (registers.use_bump) {
@@ -163,29 +162,24 @@ void SweepPipeline<P>::remesh(uint32_t base, const SweepBase<P>& triangle, const
 // Fills the batch.
 template <class P>
 void SweepPipeline<P>::sweep(const SweepBase<P>& triangle) {
-    step_count_ = 0;
     fine_.size = 0;
-    while (step_count_ < kBatchSteps && fine_.size + 4 <= kFineVertices) {
-        SweepStep& step = steps_[step_count_];
-        if (!sweep_line_.step(step)) break;
-        ++step_count_;
-        add_vertices(triangle, step);
+    if constexpr (std::is_same_v<P, Fixed>) {
+        run_count_ = sweep_line_.fill(runs_, fine_);
+    } else {
+        swept_.size = 0;
+        run_count_ = sweep_line_.fill(runs_, swept_);
+        add_vertices(triangle);
     }
 }
 
 template <class P>
-void SweepPipeline<P>::add_vertices(const SweepBase<P>& triangle, const SweepStep& step) {
-    for (std::size_t i = 0; i < step.vertex_count; ++i) {
-        const SweepVertex& vertex = step.vertices[i];
-        if constexpr (std::is_same_v<P, Fixed>) {
-            fine_.push_back(vertex.name, vertex.data);
-        } else {
-            const auto data = [&](std::size_t corner) -> const Data& {
-                return corners_[triangle.vertices[corner]].data;
-            };
-            fine_.push_back(vertex.name,
-                            closed_form(triangle_, vertex.name, data(0), data(1), data(2)));
-        }
+void SweepPipeline<P>::add_vertices(const SweepBase<P>& triangle) {
+    const auto data = [&](std::size_t corner) -> const Data& {
+        return corners_[triangle.vertices[corner]].data;
+    };
+    for (std::size_t i = 0; i < swept_.size; ++i) {
+        const VertexName& name = swept_.names[i];
+        fine_.push_back(name, closed_form(triangle_, name, data(0), data(1), data(2)));
     }
 }
 
@@ -204,8 +198,9 @@ void SweepPipeline<P>::finish_vertices(const Emit& emit) {
 template <class P>
 void SweepPipeline<P>::build_strips(uint32_t base, const Emit& emit) {
     made_.clear();
-    const auto first = triangle_buffer_.vertex_count() - static_cast<uint32_t>(fine_.size);
-    strip_.run(Span<const SweepStep>(steps_.data(), step_count_), first, made_);
+    auto number = triangle_buffer_.vertex_count() - static_cast<uint32_t>(fine_.size);
+    strip_.run(
+        {runs_.data(), run_count_}, [&number] { return number++; }, made_);
     for (std::size_t done = 0; done < made_.size();) {
         done +=
             triangle_buffer_.push(made_.size() - done, [&](std::size_t i, FineTriangle& triangle) {

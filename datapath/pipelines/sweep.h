@@ -27,10 +27,6 @@
 
 namespace repousse {
 
-/// Most steps of the sweep line in one batch, which ends before when its vertices might be too
-/// many: these stay close to the first-level cache.
-inline constexpr std::size_t kBatchSteps = 64;
-
 /// How the setup and the sweep line of a draw are built: by the profile, and by whether the draw
 /// wants the components that `bump` needs, and the steps that `footprint` needs.
 TriangleSetupOptions setup_options(const Profile& profile, bool use_bump,
@@ -91,7 +87,7 @@ private:
     bool set_up(const SweepBase<P>& triangle);
     void set_texel_steps(const SweepBase<P>& triangle);
     void sweep(const SweepBase<P>& triangle);
-    void add_vertices(const SweepBase<P>& triangle, const SweepStep& step);
+    void add_vertices(const SweepBase<P>& triangle);
     void finish_vertices(const Emit& emit);
     void build_strips(uint32_t base, const Emit& emit);
     void drain(const Emit& emit);
@@ -115,9 +111,10 @@ private:
     SweepTriangle triangle_;
     TexelSteps<typename P::Value> texel_steps_;  // of `triangle_`, only with footprints
     // The batch.
-    std::vector<SweepStep> steps_;
-    std::size_t step_count_ = 0;
+    std::array<SweepRun, kBatchRuns> runs_;
+    std::size_t run_count_ = 0;
     FineVertices<P> fine_{};
+    SweptVertices<int32_t> swept_;  // with Real, whose vertices are made of their names
     std::vector<std::array<uint32_t, 3>> made_;  // triangles
 };
 

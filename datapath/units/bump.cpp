@@ -122,12 +122,11 @@ void Bump<P>::run(Span<Edge<P>> edges, bool for_test, bool eager) {
 
 // ---- batches of fine vertices -------------------------------------------------------------------
 
-// Texels are read in the order of the vertices.
 template <class P>
 void Bump<P>::run(FineVertices<P>& b) {
     counters_.items += b.size;
     FineVectors<V> d, unnormalised;
-    for (std::size_t i = 0; i < b.size; ++i) d.set(i, map_vector(b.uv(i)));
+    map_vectors(b, d);
     rotate(b, d, unnormalised);
     normalise_(columns<P>(unnormalised, b.displaced_normal), b.size, counters_.degenerate);
 }

@@ -123,6 +123,7 @@ public:
 private:
     // Step 1, in bump_texels.cpp.
     Vec3<V> map_vector(Uv u);
+    void map_vectors(const FineVertices<P>& batch, FineVectors<V>& d);
     Vec3<V> slopes(int x, int y);
     Vec3<V> turned(const Turn<typename P::Texel>& turn);
     std::size_t texel_index(int x, int y);

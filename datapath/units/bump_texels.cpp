@@ -24,6 +24,22 @@ Vec3<typename P::Value> Bump<P>::map_vector(Uv u) {
     return {V(stored.x), V(stored.y), V(stored.z)};
 }
 
+// Texels are read in the order of the vertices.
+template <class P>
+void Bump<P>::map_vectors(const FineVertices<P>& b, FineVectors<V>& d) {
+    if (kind_ != BumpKind::Normals) {
+        for (std::size_t i = 0; i < b.size; ++i) d.set(i, map_vector(b.uv(i)));
+        return;
+    }
+    FineArray<int32_t> x, y;
+    texel_addresses(b.u.data(), b.size, 0, uv_frac_, map_.width, map_.wrap, x.data());
+    texel_addresses(b.v.data(), b.size, 0, uv_frac_, map_.height, map_.wrap, y.data());
+    for (std::size_t i = 0; i < b.size; ++i) {
+        const auto& stored = map_.normals[texel_index(x[i], y[i])];
+        d.set(i, {V(stored.x), V(stored.y), V(stored.z)});
+    }
+}
+
 // Central differences over two texels; beside a border that is not periodic over one, which counts
 // twice. A map of one texel across has slope 0: both neighbours are the texel itself. A rise has
 // 16 bits and a sign, doubled 18; times a mantissa of 24 bits 42.
@@ -65,5 +81,7 @@ template std::size_t Bump<Fixed>::texel_index(int, int);
 template std::size_t Bump<Real>::texel_index(int, int);
 template Vec3<Fixed::Value> Bump<Fixed>::map_vector(Uv);
 template Vec3<Real::Value> Bump<Real>::map_vector(Uv);
+template void Bump<Fixed>::map_vectors(const FineVertices<Fixed>&, FineVectors<Fixed::Value>&);
+template void Bump<Real>::map_vectors(const FineVertices<Real>&, FineVectors<Real::Value>&);
 
 }  // namespace repousse

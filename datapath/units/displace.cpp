@@ -1,5 +1,7 @@
 #include "datapath/units/displace.h"
 
+#include <algorithm>
+
 namespace repousse {
 
 template <class P>
@@ -16,6 +18,7 @@ Displace<P>::Displace(const Profile& profile)
 template <class P>
 void Displace<P>::configure(const MapView<P>& map) {
     map_ = map;
+    finer_ = map.filter == HeightFilter::Maximum ? map.finer : 0;
     for (int level = 0; level <= map.last_level; ++level) {
         const auto l = static_cast<std::size_t>(level);
         start_[0][l] = level_start(map, level);
@@ -26,17 +29,6 @@ void Displace<P>::configure(const MapView<P>& map) {
     to_displacement_ = Cast(filter_bits_ + map.scale_exponent, displacement_format_);
 }
 
-// Coordinates of the level, on it.
-template <class P>
-int64_t Displace<P>::texel(int x, int y, int level, bool minima) {
-    ++counters_.reads;
-    const auto l = static_cast<std::size_t>(level);
-    const std::size_t place =
-        start_[minima][l] + static_cast<std::size_t>(y) * row_[l] + static_cast<std::size_t>(x);
-    if (port_ != nullptr) port_->read(static_cast<uint32_t>(place));
-    return map_.heights[place];
-}
-
 template <class P>
 typename P::Wide Displace<P>::nearest(Uv u) {
     const int x = texel_address(u.x >> uv_frac_, map_.width, map_.wrap);
@@ -44,47 +36,54 @@ typename P::Wide Displace<P>::nearest(Uv u) {
     return P::align(P::exact(texel(x, y), 0), filter_bits_);
 }
 
-// Texel centres lie at +1/2, so the cell is found half a texel lower. The weights have F bits
-// each and sum to 2^F: 16 + 2 F <= 48 bits, exact.
+// Texel centres lie at +1/2, so the cell is found half a texel lower.
 template <class P>
 typename P::Wide Displace<P>::bilinear(Uv u) {
-    const int32_t one = int32_t(1) << uv_frac_;
-    const int32_t half = one >> 1;
+    const int32_t half = int32_t{1} << uv_frac_ >> 1;
     const int x = (u.x - half) >> uv_frac_;
     const int y = (u.y - half) >> uv_frac_;
     const int left = texel_address(x, map_.width, map_.wrap);
     const int right = texel_address(x + 1, map_.width, map_.wrap);
     const int low = texel_address(y, map_.height, map_.wrap);
     const int high = texel_address(y + 1, map_.height, map_.wrap);
-    const int64_t fx = (u.x - half) & (one - 1);
-    const int64_t fy = (u.y - half) & (one - 1);
     // One after the other, in the order of the read port.
-    const int64_t left_low = texel(left, low);
-    const int64_t right_low = texel(right, low);
-    const int64_t left_high = texel(left, high);
-    const int64_t right_high = texel(right, high);
-    const int64_t lower = left_low * (one - fx) + right_low * fx;
-    const int64_t upper = left_high * (one - fx) + right_high * fx;
-    return P::quantize(to_filtered_, P::exact(lower * (one - fy) + upper * fy, 2 * uv_frac_),
-                       counters_.overflows);
+    const uint32_t left_low = texel(left, low);
+    const uint32_t right_low = texel(right, low);
+    const uint32_t left_high = texel(left, high);
+    const uint32_t right_high = texel(right, high);
+    return P::quantize(
+        to_filtered_,
+        P::exact(between(left_low, right_low, left_high, right_high, u.x - half, u.y - half),
+                 2 * uv_frac_),
+        counters_.overflows);
 }
 
-// The ends of U +- reach, brought onto the map, then to the level: a level's last texel may be cut
-// short by the border of a periodic map. Sums have one bit more than `uv`.
+// 2^finer + 1 places from U - reach to U + reach, with spaces between them of no more than a texel
+// of the level that `footprint` asks for. Each is brought onto the map, then to the level; one that
+// touches a texel that another has touched adds nothing. A level's last texel may be cut short by
+// the border of a periodic map, and stepped over. Sums have one bit more than `uv`.
 template <class P>
 typename Displace<P>::Touched Displace<P>::touched(int32_t u, int32_t reach, int level,
                                                    int size) const {
-    const auto end = [&](int64_t at) {
-        return texel_address(static_cast<int>(at >> uv_frac_), size, map_.wrap) >> level;
-    };
     Touched touched;
-    touched.at = {end(int64_t{u} - reach), end(int64_t{u} + reach)};
-    touched.count = touched.at[0] == touched.at[1] ? 1 : 2;
+    const auto look = [&](int64_t place) {
+        const int at = texel_address(static_cast<int>(place >> uv_frac_), size, map_.wrap) >> level;
+        const auto end = touched.at.begin() + touched.count;
+        if (std::find(touched.at.begin(), end, at) == end) {
+            touched.at[static_cast<std::size_t>(touched.count++)] = at;
+        }
+    };
+    const int64_t middle = u, halfway = reach >> 1;
+    look(middle - reach);
+    if (finer_ == 2) look(middle - halfway);
+    if (finer_ >= 1) look(middle);
+    if (finer_ == 2) look(middle + halfway);
+    look(middle + reach);
     return touched;
 }
 
-// Where both ends of an axis touch one texel, it is read once; an average, which is a sum of four
-// quarters, counts it twice.
+// Where both ends of an axis touch one texel, an average, which is a sum of four quarters, counts
+// it twice.
 template <class P>
 typename P::Wide Displace<P>::of_level(Uv u, const LevelRead& read) {
     const Touched columns = touched(u.x, read.reach_x, read.level, map_.width);
@@ -137,69 +136,6 @@ void Displace<P>::run(Span<Edge<P>> edges) {
         if (!edge.split) continue;
         edge.mid.displaced = (*this)(edge.mid.position, edge.mid.normal, edge.mid.uv);
     }
-}
-
-// ---- batches of fine vertices -------------------------------------------------------------------
-
-// Texels are read in the order of the vertices.
-template <class P>
-void Displace<P>::run(FineVertices<P>& b) {
-    counters_.items += b.size;
-    const bool levels = reads_levels(map_.filter);
-    FineArray<typename P::Wide> heights;
-    for (std::size_t i = 0; i < b.size; ++i) {
-        heights[i] = height(b.uv(i), levels ? b.reads[i] : LevelRead{});
-    }
-    move(b, heights);
-}
-
-namespace {
-
-template <class P>
-struct DisplaceCasts {
-    const Cast &to_displacement, &add_bias, &to_position;
-    typename P::Value mantissa, bias;
-    int align_position;
-};
-
-template <class P>
-inline void move_all(FineVertices<P>& b, const FineArray<typename P::Wide>& heights,
-                     const DisplaceCasts<P>& c, uint64_t& overflows) {
-    using Wide = typename P::Wide;
-    const Wide mantissa = c.mantissa, bias = c.bias;
-    const int align = c.align_position;
-    FineArray<typename P::Value> scaled, d;
-    P::quantize(c.to_displacement, b.size, scaled.data(), overflows,
-                [&](std::size_t i) { return P::mul(heights[i], mantissa); });
-    P::quantize(c.add_bias, b.size, d.data(), overflows,
-                [&](std::size_t i) { return Wide(scaled[i]) + bias; });
-    const auto component = [&](const auto& position, const auto& normal, auto& to) {
-        P::quantize(c.to_position, b.size, to.data(), overflows, [&](std::size_t i) {
-            return P::align(position[i], align) + P::mul(d[i], normal[i]);
-        });
-    };
-    component(b.position.x, b.normal.x, b.displaced.x);
-    component(b.position.y, b.normal.y, b.displaced.y);
-    component(b.position.z, b.normal.z, b.displaced.z);
-}
-
-}  // namespace
-
-template <>
-REPOUSSE_VECTOR_CLONES void Displace<Fixed>::move(FineVertices<Fixed>& b,
-                                                  const FineArray<Fixed::Wide>& heights) {
-    move_all<Fixed>(b, heights,
-                    {to_displacement_, add_bias_, to_position_, map_.scale_mantissa, map_.bias,
-                     align_position_},
-                    counters_.overflows);
-}
-
-template <>
-void Displace<Real>::move(FineVertices<Real>& b, const FineArray<Real::Wide>& heights) {
-    move_all<Real>(b, heights,
-                   {to_displacement_, add_bias_, to_position_, map_.scale_mantissa, map_.bias,
-                    align_position_},
-                   counters_.overflows);
 }
 
 template class Displace<Fixed>;

@@ -43,13 +43,14 @@ static_assert(ports_are(kDisplaceDesc, PortKind::Input,
                          "reach_y", "level", "back"}));
 
 /// The words of the map registers.
-inline std::array<Word, 8> pack_displace_registers(const MapView<Fixed>& map) {
-    return {map.width,      map.height,         map.wrap,           static_cast<Word>(map.filter),
-            map.has_minima, map.scale_mantissa, map.scale_exponent, map.bias};
+inline std::array<Word, 9> pack_displace_registers(const MapView<Fixed>& map) {
+    return {map.width, map.height,     map.wrap,           static_cast<Word>(map.filter),
+            map.finer, map.has_minima, map.scale_mantissa, map.scale_exponent,
+            map.bias};
 }
 static_assert(ports_are(kDisplaceDesc, PortKind::Config,
-                        {"map_width", "map_height", "wrap", "filter", "minima", "scale_mantissa",
-                         "scale_exponent", "bias"}));
+                        {"map_width", "map_height", "wrap", "filter", "finer", "minima",
+                         "scale_mantissa", "scale_exponent", "bias"}));
 
 /// The vertex that leaves it.
 struct DisplaceOut {
@@ -70,7 +71,8 @@ struct DisplaceCounters {
 /// Displace Vertex (Doggett and Hirche, equation 1 and section 3): P' = P + D(U) N.
 ///
 ///  1. read one texel, or four around U for a bilinear height; or, of a filter level, those under
-///     the corners of a footprint, each once (Gumhold and Huettner 4.1);
+///     the corners of a footprint, each once (Gumhold and Huettner 4.1); of a level that is `finer`
+///     all under 2^finer + 1 places along each axis, row by row, each once;
 ///  2. interpolate them with the fraction of U (exact: 16 + 2 F bits) and cast once; or take the
 ///     highest, the lowest where the surface is seen from the back, or the average;
 ///  3. scale to world units and add the bias;
@@ -108,10 +110,10 @@ public:
     void reset() { counters_ = {}; }
 
 private:
-    /// Texels that a footprint touches along one axis.
+    /// Coordinates of the level's texels that a footprint touches along one axis, each once.
     struct Touched {
-        std::array<int, 2> at{};
-        int count = 1;
+        std::array<int, kMostPlaces> at{};
+        int count = 0;
     };
 
     typename P::Wide height(Uv u, const LevelRead& read);
@@ -119,8 +121,34 @@ private:
     typename P::Wide bilinear(Uv u);
     typename P::Wide of_level(Uv u, const LevelRead& read);
     Touched touched(int32_t u, int32_t reach, int level, int size) const;
-    int64_t texel(int x, int y, int level = 0, bool minima = false);
-    void move(FineVertices<P>& batch, const FineArray<typename P::Wide>& heights);
+    /// Reads a texel; coordinates of the level, on it.
+    uint16_t texel(int x, int y, int level = 0, bool minima = false) {
+        ++counters_.reads;
+        const auto l = static_cast<std::size_t>(level);
+        const std::size_t place =
+            start_[minima][l] + static_cast<std::size_t>(y) * row_[l] + static_cast<std::size_t>(x);
+        if (port_ != nullptr) port_->read(static_cast<uint32_t>(place));
+        return map_.heights[place];
+    }
+
+    // Batches, in displace_batch.cpp.
+    struct Cells;
+    void heights(const FineVertices<P>& batch, FineArray<V>& to);
+    void read(const FineVertices<P>& batch, Cells& cells);
+    void interpolate(const FineVertices<P>& batch, const Cells& cells, FineArray<V>& to);
+    void move(FineVertices<P>& batch, const FineArray<V>& heights);
+
+    /// A height between four texels, times 2^(2 F). Weights are the F <= 16 lowest bits of x and y,
+    /// and what they lack to 2^F: 32 bits a row, 48 in all, exact.
+    int64_t between(uint32_t left_low, uint32_t right_low, uint32_t left_high, uint32_t right_high,
+                    int32_t x, int32_t y) const {
+        const uint32_t one = uint32_t{1} << uv_frac_;
+        const uint32_t fx = static_cast<uint32_t>(x) & (one - 1);
+        const uint32_t fy = static_cast<uint32_t>(y) & (one - 1);
+        const uint32_t lower = left_low * (one - fx) + right_low * fx;
+        const uint32_t upper = left_high * (one - fx) + right_high * fx;
+        return static_cast<int64_t>(uint64_t{lower} * (one - fy) + uint64_t{upper} * fy);
+    }
 
     int uv_frac_;
     int filter_bits_;     // extra fraction bits of a filtered height over a stored one
@@ -131,6 +159,7 @@ private:
     Cast add_bias_;
     Cast to_position_;
     MapView<P> map_;
+    int finer_ = 0;  // of the maximum alone: an average is a sum of quarters
     TexelPort* port_ = nullptr;
     /// First texels of the levels, then of their minima; and texels in a row of each.
     std::array<std::array<std::size_t, kMostLevels + 1>, 2> start_{};

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "datapath/fifo.h"
+#include "datapath/fine_vertices.h"
 #include "datapath/span.h"
 #include "datapath/sweep_items.h"
-#include "datapath/transaction.h"
 #include "datapath/units/strip_desc.h"
 
 namespace repousse {
@@ -25,79 +25,12 @@ struct StripCounters {
     std::size_t deepest = 0;  ///< most vertices that either FIFO held
 };
 
-/// A command as it stands on a port.
-inline Word pack(const StripCommand& command) {
-    return static_cast<Word>(command.op) << 4 | Word{command.place} << 2 |
-           static_cast<Word>(command.keep);
-}
-inline StripCommand unpack_strip_command(Word word) {
-    return {static_cast<StripOp>(word >> 4 & 3), static_cast<uint8_t>(word >> 2 & 3),
-            static_cast<StripKeep>(word & 3)};
-}
-
-/// One step as it enters the unit, with its new vertices by their numbers: the input ports of the
-/// description.
-struct StripIn {
-    bool flush = false;
-    StripStep step;
-    std::array<uint32_t, 4> vertices{};
-
-    std::array<Word, 12> pack() const {
-        const auto& c = step.commands;
-        return {flush,
-                step.init,
-                step.flip,
-                step.count,
-                repousse::pack(c[0]),
-                repousse::pack(c[1]),
-                repousse::pack(c[2]),
-                repousse::pack(c[3]),
-                vertices[0],
-                vertices[1],
-                vertices[2],
-                vertices[3]};
-    }
-    static StripIn unpack(const Word* w) {
-        StripIn in;
-        in.flush = w[0] != 0;
-        in.step.init = w[1] != 0;
-        in.step.flip = w[2] != 0;
-        in.step.count = static_cast<uint8_t>(w[3]);
-        for (std::size_t i = 0; i < 4; ++i) {
-            in.step.commands[i] = unpack_strip_command(w[4 + i]);
-            in.vertices[i] = static_cast<uint32_t>(w[8 + i]);
-        }
-        return in;
-    }
-};
-static_assert(ports_are(kStripDesc, PortKind::Input,
-                        {"flush", "init", "flip", "count", "command0", "command1", "command2",
-                         "command3", "vertex0", "vertex1", "vertex2", "vertex3"}));
-static_assert(ports_are(kStripDesc, PortKind::Config, {}));
-
 /// The triangles of one step.
 template <class V>
 struct StripTriangles {
     uint8_t count = 0;
     std::array<std::array<V, 3>, kStripTriangles> triangles;
 };
-
-/// What the unit answers to a step: the output ports. Vertices of triangles that were not made are
-/// undefined on the ports and 0 here.
-struct StripOut {
-    StripTriangles<uint32_t> made;
-    bool bad_ref = false;
-
-    std::array<Word, 8> pack() const {
-        std::array<Word, 8> words = {made.count, bad_ref};
-        for (std::size_t i = 0; i < made.count; ++i) {
-            for (std::size_t k = 0; k < 3; ++k) words[2 + 3 * i + k] = made.triangles[i][k];
-        }
-        return words;
-    }
-};
-static_assert(ports_are(kStripDesc, PortKind::Output,
-                        {"triangles", "bad_ref", "a0", "b0", "c0", "a1", "b1", "c1"}));
 
 /// The control of the stripping unit: which vertices make a triangle, in which order. It knows
 /// registers by number only.
@@ -130,6 +63,17 @@ public:
         return triangle;
     }
 
+    /// Whether the step adds what it takes from the column FIFO, then what it keeps there, and
+    /// leaves the strip as the step before it did, but for the vertices in two registers.
+    bool climbs(const StripStep& step) const {
+        const auto &left = step.commands[0], &right = step.commands[1];
+        return !step.init && step.count == 2 && left.op == StripOp::Column &&
+               left.keep == StripKeep::No && right.op == StripOp::New &&
+               right.keep == StripKeep::Column && length_ == 2 && older_ == left.place &&
+               newer_ == right.place && left.place != right.place;
+    }
+    bool odd() const { return odd_; }
+
 private:
     uint8_t length_ = 0;  // vertices in the strip, counted to 2
     bool odd_ = false;
@@ -160,10 +104,9 @@ public:
     /// One step. `vertices` are those of its `New` commands, in their order.
     void operator()(const StripStep& step, Span<const V> vertices, StripTriangles<V>& out);
 
-    /// Steps one after the other, each anything with members `strip` and `vertex_count`. Vertices
-    /// go by numbers: those of the `New` commands from `first` on. Triangles are added to `made`.
-    template <class Step>
-    void run(Span<const Step> steps, uint32_t first, std::vector<std::array<V, 3>>& made);
+    /// The steps of a batch. `next()` gives the next new vertex. Triangles are added to `made`.
+    template <class Next>
+    void run(Span<const SweepRun> runs, Next&& next, std::vector<std::array<V, 3>>& made);
 
     /// End of frame, or after the sweep line has dropped a triangle: forgets strip and FIFOs.
     void flush();
@@ -176,6 +119,9 @@ private:
     template <class New>
     void carry_out(const StripStep& step, StripControl& control, New&& next_vertex,
                    StripTriangles<V>& out);
+    template <class Next>
+    void climb(uint32_t times, bool odd, const StripStep& step, Next& next,
+               std::vector<std::array<V, 3>>& made);
     bool take(Fifo<V>& fifo, V& vertex);
     void keep(Fifo<V>& fifo, const V& vertex);
 
@@ -250,22 +196,59 @@ inline void Strip<V>::carry_out(const StripStep& step, StripControl& control, Ne
 }
 
 template <class V>
-template <class Step>
-void Strip<V>::run(Span<const Step> steps, uint32_t first, std::vector<std::array<V, 3>>& made) {
+template <class Next>
+void Strip<V>::run(Span<const SweepRun> runs, Next&& next, std::vector<std::array<V, 3>>& made) {
     StripControl control = control_;  // beside the steps, which might be what a store changes
     StripTriangles<V> triangles;
-    for (const Step& step : steps) {
-        const uint32_t end = first + step.vertex_count;
-        const auto next_vertex = [&](V& vertex) {
-            if (first == end) return false;
-            vertex = first++;
-            return true;
-        };
-        carry_out(step.strip, control, next_vertex, triangles);
-        first = end;
-        for (std::size_t i = 0; i < triangles.count; ++i) made.push_back(triangles.triangles[i]);
+    for (const SweepRun& run : runs) {
+        for (uint32_t i = 0; i < run.times; ++i) {
+            uint8_t left = run.vertex_count;
+            const auto next_vertex = [&](V& vertex) {
+                if (left == 0) return false;
+                --left;
+                vertex = next();
+                return true;
+            };
+            carry_out(run.strip, control, next_vertex, triangles);
+            for (std::size_t k = 0; k < triangles.count; ++k) {
+                made.push_back(triangles.triangles[k]);
+            }
+            if (i + 1 < run.times && control.climbs(run.strip)) {
+                climb(run.times - i - 1, control.odd(), run.strip, next, made);
+                break;
+            }
+        }
     }
     control_ = control;
+}
+
+// Steps that each take a vertex from the column FIFO, then keep a new one, with two registers in
+// turn.
+template <class V>
+template <class Next>
+void Strip<V>::climb(uint32_t times, bool odd, const StripStep& step, Next& next,
+                     std::vector<std::array<V, 3>>& made) {
+    V &left = registers_[step.commands[0].place], &right = registers_[step.commands[1].place];
+    const std::size_t start = made.size();
+    made.resize(start + 2 * std::size_t{times});
+    std::array<V, 3>* to = made.data() + start;
+    V l = left, r = right;
+    for (uint32_t i = 0; i < times; ++i, to += 2) {
+        const V next_left = column_.front(), next_right = next();
+        column_.pop();
+        column_.push(next_right);
+        to[0] = odd ? std::array<V, 3>{l, next_left, r} : std::array<V, 3>{l, r, next_left};
+        to[1] = odd ? std::array<V, 3>{r, next_left, next_right}
+                    : std::array<V, 3>{r, next_right, next_left};
+        l = next_left;
+        r = next_right;
+    }
+    left = l;
+    right = r;
+    counters_.steps += times;
+    counters_.commands += 2 * uint64_t{times};
+    counters_.vertices += 2 * uint64_t{times};
+    counters_.triangles += 2 * uint64_t{times};
 }
 
 }  // namespace repousse

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "datapath/fine_vertices.h"
+#include "datapath/span.h"
 #include "datapath/sweep_items.h"
 #include "datapath/units/sweep_line_desc.h"
 
@@ -81,6 +83,10 @@ public:
     /// One step. False if there was none: the triangle is finished.
     bool step(SweepStep& out);
 
+    /// The next steps, as long as there are free runs and room for the vertices of any step. How
+    /// many runs: 0 if there was no step, as the triangle is finished.
+    std::size_t fill(Span<SweepRun> runs, SweptVertices<int32_t>& vertices);
+
     /// load() and every step, to `sink(const SweepStep&)`.
     template <class Sink>
     void run(const SweepTriangle& triangle, Sink&& sink) {
@@ -135,6 +141,9 @@ private:
 
     /// A vector of the setup.
     Vector vector_of(const SweepVector& from) const;
+    /// How far the bit of half an LSB is above the lowest one of `rest`; without guard bits, whose
+    /// vectors are rounded already, so far that there is none.
+    static int half_bit(int guard_bits) { return guard_bits == 0 ? 31 : guard_bits - 1; }
     static void sum(const Vector& a, const Vector& d, Vector& to);
     static void difference(const Vector& a, const Vector& d, Vector& to);
 
@@ -170,6 +179,12 @@ private:
     void send_ear(SweepStep& out);
     bool split_column_again() const;
     StripKeep keep(bool whole_column);
+
+    uint32_t climbing_steps(std::size_t most) const;
+    void climb(uint32_t times, SweepRun& run, SweptVertices<int32_t>& vertices);
+    void count(uint32_t climbs);
+    static void advance(Vector& at, const Vector& step, int guard_bits, uint32_t times,
+                        SweptVertices<int32_t>& to);
 
     void init(SweepStep& out, bool flip);
     void command(SweepStep& out, StripOp op, uint8_t place, StripKeep kept = StripKeep::No);

@@ -1,7 +1,6 @@
 // The side of the sweep line that faces the stripping unit: what a step sends, and which strip
 // register it uses.
 
-#include <algorithm>
 #include <cstddef>
 
 #include "datapath/units/sweep_line.h"
@@ -33,11 +32,7 @@ void SweepLine::send(SweepStep& out, Index source, uint8_t place, StripKeep kept
         return;
     }
     const Vector& v = from.vector;
-    if (triangle_->guard_bits == 0) {
-        std::copy_n(v.value.begin(), kSweepComponents, vertex.data.begin());
-        return;
-    }
-    const int half = triangle_->guard_bits - 1;
+    const int half = half_bit(triangle_->guard_bits);
     for (std::size_t i = 0; i < kSweepComponents; ++i) {
         vertex.data[i] = static_cast<int32_t>(static_cast<uint32_t>(v.value[i]) +
                                               static_cast<uint32_t>(v.rest[i] >> half));

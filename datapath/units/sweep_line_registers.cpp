@@ -63,8 +63,7 @@ SweepLine::Index SweepLine::free_register() {
     unsigned used = 0;
     REPOUSSE_UNROLLED
     for (std::size_t role = 0; role < kRoles; ++role) used |= 1U << roles_[role];
-    Index index = 4;
-    while (used >> index & 1U) ++index;
+    const auto index = static_cast<Index>(__builtin_ctz(~used >> 4) + 4);
     if (index > counters_.highest_register) counters_.highest_register = index;
     return index;
 }

@@ -32,7 +32,7 @@ std::vector<OutputTriangle<P>> bare_loop(const Profile& profile, const AdaptiveD
 
 int main(int argc, char** argv) {
     bench::keep_freed_memory();
-    const Result<bench::Workload> work = bench::load_workload(kScene);
+    const Result<bench::Workload> work = bench::load_workload(kScene, host::Method::Adaptive);
     if (!work) {
         std::fprintf(stderr, "adaptive_bench: %s\n", work.error().message().c_str());
         return 2;

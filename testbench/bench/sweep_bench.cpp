@@ -1,7 +1,7 @@
 // What simulating sweep-line remeshing costs: the platform at level lt beside the bare loop over
-// the same datapath, on a scene with bump mapping and on one without. Each row works on the whole
-// scene and keeps every vertex and triangle; the table is in nanoseconds a fine vertex: one that
-// the sweep line makes, and that is displaced.
+// the same datapath, on scenes with bump mapping, with illumination too, and with neither. Each row
+// works on the whole scene and keeps every vertex and triangle; the table is in nanoseconds a fine
+// vertex: one that the sweep line makes, and that is displaced.
 
 #include <cstdio>
 
@@ -43,6 +43,8 @@ struct Case {
 constexpr Case kCases[] = {
     {"scenes/head_sweep.toml", "head_sweep, bump/bare loop", "head_sweep, bump/level lt",
      "head_sweep, bump/level ref"},
+    {"scenes/head_lit.toml", "head_lit, bump and shade/bare loop",
+     "head_lit, bump and shade/level lt", "head_lit, bump and shade/level ref"},
     {"scenes/terrain_sweep.toml", "terrain_sweep/bare loop", "terrain_sweep/level lt",
      "terrain_sweep/level ref"},
 };
@@ -70,7 +72,7 @@ int main(int argc, char** argv) {
     std::vector<bench::Workload> works;
     std::vector<shell::Draw> draws;
     for (const Case& names : kCases) {
-        Result<bench::Workload> work = bench::load_workload(names.scene);
+        Result<bench::Workload> work = bench::load_workload(names.scene, host::Method::Sweep);
         if (!work) {
             std::fprintf(stderr, "sweep_bench: %s\n", work.error().message().c_str());
             return 2;
@@ -79,7 +81,7 @@ int main(int argc, char** argv) {
         works.push_back(std::move(*work));
     }
     DeviceConfig config;
-    config.profile = works.front().profile;  // both scenes' own
+    config.profile = works.front().profile;  // all scenes' own
     config.include_everything();
     Result<shell::Platform> platform = shell::Platform::create(config, draws);
     if (!platform) {

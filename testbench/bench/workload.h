@@ -25,7 +25,7 @@ inline void keep_freed_memory() {
 #endif
 }
 
-/// A scene's objects, loaded once for all rows.
+/// A scene's objects of one method, loaded once for all rows.
 struct Workload {
     Profile profile;
     Profile reference;
@@ -47,14 +47,15 @@ Status add_draw(const Profile& profile, const host::DrawInputs& inputs, Draws& d
     return done();
 }
 
-/// Errors: the scene, or a file that it names and that has no fallback.
-inline Result<Workload> load_workload(const std::string& scene_file) {
+/// The objects of `method`. Errors: the scene, or a file that it names and that has no fallback.
+inline Result<Workload> load_workload(const std::string& scene_file, host::Method method) {
     const auto scene = host::read_scene(scene_file);
     if (!scene) return scene.error();
     const auto profile = shipped_profile(scene->profile);
     if (!profile) return profile.error();
     Workload work{*profile, host::reference_profile(*profile), {}, {}};
     for (const host::Object& object : scene->objects) {
+        if (object.method != method) continue;
         const auto mesh = host::load_mesh(object);
         if (!mesh) return mesh.error();
         const auto map = host::load_map(object, {});

@@ -7,8 +7,8 @@
 namespace repousse::shell {
 
 SweepLine::SweepLine(const sc_core::sc_module_name& name, const Profile& profile)
-    : Place(name), unit_(sweep_options(profile)), steps_(kBatchSweepSteps) {
-    pieces_.reserve(kBatchSweepSteps + kBatchBases);
+    : Place(name), unit_(sweep_options(profile)) {
+    pieces_.reserve(kBatchRuns + kBatchBases);
 }
 
 void SweepLine::configure(std::function<bool(const BatchTime&)> elapse) {
@@ -33,35 +33,30 @@ void SweepLine::process(BaseBatch& batch, BatchTime&) {
 
 void SweepLine::sweep(const BaseItem& item, const SweepTriangle& triangle) {
     unit_.load(triangle);
-    pieces_.push_back({item.base, 0, 0, false, false, &triangle.texel_steps});
     while (true) {
-        if (step_count_ == steps_.size() || vertices_.size + 4 > kFineVertices) {
-            flush();
-            if (aborted_) return unit_.abort();
-            pieces_.push_back({item.base, 0, 0, false, false, &triangle.texel_steps});
-        }
-        SweepStep& step = steps_[step_count_];
-        if (!unit_.step(step)) break;
-        ++step_count_;
-        ++pieces_.back().steps;
-        pieces_.back().vertices += step.vertex_count;
-        for (std::size_t i = 0; i < step.vertex_count; ++i) {
-            vertices_.push_back(step.vertices[i].name, step.vertices[i].data);
-        }
+        const std::size_t before = vertices_.size;
+        const std::size_t runs =
+            unit_.fill({runs_.data() + run_count_, runs_.size() - run_count_}, vertices_);
+        run_count_ += runs;
+        pieces_.push_back({item.base, static_cast<uint32_t>(runs),
+                           static_cast<uint32_t>(vertices_.size - before), !unit_.busy(),
+                           unit_.runaway(), &triangle.texel_steps});
+        if (!unit_.busy()) return;
+        flush();
+        if (aborted_) return unit_.abort();
     }
-    pieces_.back().last = true;
-    pieces_.back().runaway = unit_.runaway();
 }
 
 // The busy cycles are those of the steps: a base triangle without any passes beside.
 void SweepLine::flush() {
     if (pieces_.empty()) return;
-    FineBatch batch{pieces_, {steps_.data(), step_count_}, vertices_};
+    const Span<const SweepRun> runs(runs_.data(), run_count_);
+    FineBatch batch{pieces_, runs, vertices_};
     BatchTime time;
-    time.stage(kSweepLineDesc, step_count_);
+    time.stage(kSweepLineDesc, step_count(runs));
     fine_out->put(batch, time);
     pieces_.clear();
-    step_count_ = vertices_.size = 0;
+    run_count_ = vertices_.size = 0;
     if (!elapse_(time)) aborted_ = true;
 }
 

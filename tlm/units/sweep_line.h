@@ -34,10 +34,10 @@ private:
     bool aborted_ = false;
 
     // The batch under way.
-    std::vector<SweepStep> steps_;
     std::vector<FinePiece> pieces_;
+    std::array<SweepRun, kBatchRuns> runs_;
+    std::size_t run_count_ = 0;
     FineVertices<Fixed> vertices_;
-    std::size_t step_count_ = 0;
 };
 
 }  // namespace repousse::shell
