@@ -68,7 +68,6 @@ format:
 tidy:
 	@cmake/bootstrap.sh run test tidy
 	@cmake --preset release -DREPOUSSE_TESTS=ON -DREPOUSSE_BENCH=ON
-	@cmake --build --preset release -j $(JOBS)
 	@run-clang-tidy -quiet -p $(BUILD) -j $(JOBS) '$(CURDIR)/(datapath|tlm|testbench)/.*'
 
 clean:

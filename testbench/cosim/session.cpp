@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <chrono>
+#include <iterator>
 #include <mutex>
 #include <thread>
 
@@ -19,9 +19,8 @@ namespace {
 struct Stalls {
     uint32_t source, sink, burst;
 };
-constexpr std::array kStalls = {Stalls{50, 100, 1}, Stalls{100, 50, 1}, Stalls{60, 70, 1},
-                                Stalls{14, 23, 1},  Stalls{77, 40, 16}, Stalls{100, 12, 1},
-                                Stalls{84, 86, 64}};
+constexpr Stalls kStalls[] = {{50, 100, 1}, {100, 50, 1}, {60, 70, 1}, {14, 23, 1},
+                              {77, 40, 16}, {100, 12, 1}, {84, 86, 64}};
 
 /// Feeds scenarios to one instance of an engine and to the datapath.
 class Worker {
@@ -171,7 +170,7 @@ Outcome run_random(const UnitModel& model, const Engine& engine,
         const auto count =
             static_cast<std::size_t>(std::min<uint64_t>(batch, effort.vectors - from));
         const bool stalled = random.percent(effort.stalled_percent);
-        const Stalls& stalls = kStalls[random.below(kStalls.size())];
+        const Stalls& stalls = kStalls[random.below(std::size(kStalls))];
         worker.run(worker.model().random(random, count), hard + from, random,
                    stalled ? &stalls : nullptr);
         return count;
@@ -203,7 +202,7 @@ Outcome run_recorded(const UnitModel& model, const Engine& engine, const std::st
     uint64_t done = 0;
     recording([&](const Recorded& recorded) {
         const bool stalled = random.percent(effort.stalled_percent);
-        const Stalls& stalls = kStalls[random.below(kStalls.size())];
+        const Stalls& stalls = kStalls[random.below(std::size(kStalls))];
         worker.run(recorded, done, random, stalled ? &stalls : nullptr);
         done += model.count(recorded.scenario);
         if (progress) progress(done);

@@ -56,7 +56,7 @@ public:
     CoverReport finish();
 
 private:
-    __extension__ typedef __int128 Wide;
+    __extension__ using Wide = __int128;
 
     /// A vertex's weights times its denominator, which is `scale_[denominator]`, or 1 if negative.
     struct Row {

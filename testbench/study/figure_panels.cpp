@@ -10,7 +10,7 @@
 namespace repousse::study {
 namespace {
 
-constexpr int kGap_px = 6;
+constexpr int kGapPx = 6;
 
 float rounded(float linear, int shades) {
     const double steps = shades - 1;
@@ -23,10 +23,10 @@ float rounded(float linear, int shades) {
 host::Picture panels(const std::vector<std::vector<host::Picture>>& rows, int shades) {
     host::Picture sheet;
     for (const auto& row : rows) {
-        int width = -kGap_px;
-        for (const host::Picture& panel : row) width += panel.width + kGap_px;
+        int width = -kGapPx;
+        for (const host::Picture& panel : row) width += panel.width + kGapPx;
         sheet.width = std::max(sheet.width, width);
-        sheet.height += row.front().height + (sheet.height > 0 ? kGap_px : 0);
+        sheet.height += row.front().height + (sheet.height > 0 ? kGapPx : 0);
     }
     sheet.rgb.assign(
         3 * static_cast<std::size_t>(sheet.width) * static_cast<std::size_t>(sheet.height), 1.0f);
@@ -37,9 +37,9 @@ host::Picture panels(const std::vector<std::vector<host::Picture>>& rows, int sh
             for (int y = 0; y < panel.height; ++y) {
                 std::copy_n(panel.pixel(0, y), 3 * panel.width, sheet.pixel(left, top + y));
             }
-            left += panel.width + kGap_px;
+            left += panel.width + kGapPx;
         }
-        top += row.front().height + kGap_px;
+        top += row.front().height + kGapPx;
     }
     for (float& channel : sheet.rgb) channel = rounded(channel, shades);
     return sheet;

@@ -13,7 +13,7 @@
 namespace repousse {
 namespace {
 
-__extension__ typedef __int128 Wide;
+__extension__ using Wide = __int128;
 
 constexpr int kModes = 7;
 

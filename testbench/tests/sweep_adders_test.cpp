@@ -21,7 +21,7 @@ using test::VertexKey;
 
 const SweepLineOptions kTwoLanes = {256, {}};
 
-__extension__ typedef __int128 Wide;
+__extension__ using Wide = __int128;
 
 // floor(numerator / denominator + 1/2) for a positive denominator.
 int32_t rounded(Wide numerator, Wide denominator) {

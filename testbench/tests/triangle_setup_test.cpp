@@ -121,7 +121,7 @@ RC_GTEST_PROP(TriangleSetup, ExactDifferencesLeadFromCornerToCorner, ()) {
     TriangleSetup unit;
     unit(corners, t);
     if (t.single || t.determinant == 0) return;
-    __extension__ typedef __int128 Wide;
+    __extension__ using Wide = __int128;
     const auto times_modulus = [](const SweepVector& d, Wide n) {
         return n * (Wide(d.value[0]) * d.modulus + d.remainder[0]);
     };

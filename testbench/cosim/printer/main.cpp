@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <exception>
 #include <fstream>
 #include <string>
 
@@ -40,7 +41,7 @@ repousse::Status print(const std::filesystem::path& root, bool only_check) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
     bool only_check = false;
     std::filesystem::path root = repousse::cosim::source_folder();
     for (int i = 1; i < argc; ++i) {
@@ -52,6 +53,9 @@ int main(int argc, char** argv) {
     }
     const repousse::Status status = print(root, only_check);
     if (status) return 0;
-    fmt::print(stderr, "print_descriptions: {}\n", status.error().message());
+    std::fprintf(stderr, "print_descriptions: %s\n", status.error().message().c_str());
     return static_cast<int>(status.error().kind);
+} catch (const std::exception& error) {
+    std::fprintf(stderr, "print_descriptions: %s\n", error.what());
+    return static_cast<int>(repousse::ErrorKind::Environment);
 }

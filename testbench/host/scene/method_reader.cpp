@@ -35,8 +35,8 @@ AdaptiveSettings read_adaptive(const TomlValue& table, ReadContext& context) {
         static_cast<NormalSpace>(reader.choice("normal_space", {"world", "map"}, 0));
     adaptive.view_threshold_px = reader.optional_number("view_threshold_px", 0.0, 4096.0);
 
-    const char* const kAverageKey = "height_threshold_lsb";
-    const char* const kSumKey = "height_threshold_lsb_texel2";
+    constexpr const char* kAverageKey = "height_threshold_lsb";
+    constexpr const char* kSumKey = "height_threshold_lsb_texel2";
     const auto average = reader.optional_number(kAverageKey, 0.0, 65535.0);
     const auto sum = reader.optional_number(kSumKey, 0.0, 274877906944.0);  // 2^38
     const bool summed = reader.has(kSumKey);

@@ -9,7 +9,7 @@
 namespace repousse::test {
 
 /// Holds any kept part times 2^62: 66 + 62 bits.
-__extension__ typedef __int128 Wide;
+__extension__ using Wide = __int128;
 
 /// One combination of modes. Saturated bits come in five classes, because each has its own row in
 /// the standard: 0, 1, some, width - 1, and all of them.
