@@ -9,6 +9,7 @@ inline constexpr Port kDisplacePorts[] = {
     {PortKind::Config, "map_height", "", 15, true, "H, texels"},
     {PortKind::Config, "wrap", "", 1, true, "the map is periodic"},
     {PortKind::Config, "filter", "", 2, true, "0 nearest, 1 bilinear, 2 maximum, 3 average"},
+    {PortKind::Config, "finer", "", 2, true, "0 to 2: 2^finer + 1 places an axis; maximum only"},
     {PortKind::Config, "minima", "", 1, true, "levels of their own for the back"},
     {PortKind::Config, "scale_mantissa", "", 25, true, "D = h * mantissa * 2^-exponent + bias"},
     {PortKind::Config, "scale_exponent", "", 6, true, ""},
@@ -34,9 +35,8 @@ inline constexpr std::string_view kDisplaceKeys[] = {"uv",           "height",  
                                                      "displacement", "position", "normal"};
 
 /// Four reads for a bilinear height, one for the nearest texel, one, two or four of a filter level,
-/// through one port; interpolation,
-/// scale, multiply-add. The figures are those of bilinear heights, with a memory that answers in
-/// the next cycle.
+/// up to nine or 25 of a finer one, through one port; interpolation, scale, multiply-add. The
+/// figures are those of bilinear heights, with a memory that answers in the next cycle.
 inline constexpr UnitDesc kDisplaceDesc = {
     "displace",
     "Doggett and Hirche 2000, equation 1 and section 3 (Displace Vertex); Gumhold and Huettner "

@@ -58,7 +58,8 @@ LevelRead Footprint<P>::operator()(const FootprintIn<P>& in) {
             reach.x += side.x;
             reach.y += side.y;
         }
-        const int level = level_of(reach.x > reach.y ? reach.x : reach.y);
+        const int coarse = level_of(reach.x > reach.y ? reach.x : reach.y);
+        const int level = coarse > registers_.finer ? coarse - registers_.finer : 0;
         counters_.cut += level > registers_.last_level;
         read.level =
             static_cast<uint8_t>(level < registers_.last_level ? level : registers_.last_level);

@@ -20,7 +20,7 @@ struct FootprintCounters {
     uint64_t items = 0;
     std::array<uint64_t, kMostLevels + 1> levels{};  ///< vertices that read each level
     uint64_t back = 0;                               ///< vertices seen from the back
-    uint64_t cut = 0;  ///< footprints larger than the last level's texel: not covered
+    uint64_t cut = 0;  ///< footprints above 2^finer texels of the last level: not covered
 };
 
 /// A vertex as it enters the unit: the input ports of the description.
@@ -75,14 +75,16 @@ struct FootprintRegisters {
     int map_width = 1;  ///< texels
     int map_height = 1;
     int last_level = 0;
+    int finer = 0;                ///< levels below that of the footprint, 0..kMostFiner
     Vec3<typename P::Value> eye;  ///< `position`
 
-    std::array<Word, 6> pack() const {
-        return {map_width, map_height, last_level, eye.x, eye.y, eye.z};
+    std::array<Word, 7> pack() const {
+        return {map_width, map_height, last_level, finer, eye.x, eye.y, eye.z};
     }
 };
 static_assert(ports_are(kFootprintDesc, PortKind::Config,
-                        {"map_width", "map_height", "last_level", "eye_x", "eye_y", "eye_z"}));
+                        {"map_width", "map_height", "last_level", "finer", "eye_x", "eye_y",
+                         "eye_z"}));
 
 /// What leaves: a LevelRead as the output ports carry it.
 inline std::array<Word, 4> pack(const LevelRead& read) {
@@ -97,10 +99,11 @@ static_assert(ports_are(kFootprintDesc, PortKind::Output, {"reach_x", "reach_y",
 ///     steps are those of the sweep and the side difference, on an edge the edge's own.
 ///  2. The footprint as a rectangle U +- reach: around the parallelogram of both half steps; on an
 ///     edge, which has one only, the square around it (the paper stretches it to a square).
-///  3. level = ceil(log2 of the rectangle's longer side), at most the last one. Texels of that
-///  level
-///     are no smaller than the rectangle, so it touches two by two of them at most, and those under
-///     its four corners are all. The parallelogram's own corners would miss some of them.
+///  3. level = ceil(log2 of the rectangle's longer side) - `finer`, at least 0, at most the last
+///     one. With finer = 0 texels of that level are no smaller than the rectangle, so it touches
+///     two by two of them at most, and those under its four corners are all. The parallelogram's
+///     own corners would miss some of them. Texels of a finer level are no smaller than a
+///     2^finer-th of the rectangle: `displace` looks at 2^finer + 1 places along each axis.
 ///  4. Reach is limited to one texel less than the map: more would not be within one period. A
 ///     footprint that is larger has a level of one texel there.
 ///  5. back = (P - eye) . N > 0, an exact sum.

@@ -8,6 +8,7 @@ inline constexpr Port kFootprintPorts[] = {
     {PortKind::Config, "map_width", "", 15, true, "W, texels"},
     {PortKind::Config, "map_height", "", 15, true, "H, texels"},
     {PortKind::Config, "last_level", "", 4, true, "of the map's filter levels"},
+    {PortKind::Config, "finer", "", 2, true, "0 to 2: levels below that of the footprint"},
     {PortKind::Config, "eye_x", "position", 0, false, "where the camera stands"},
     {PortKind::Config, "eye_y", "position", 0, false, ""},
     {PortKind::Config, "eye_z", "position", 0, false, ""},

@@ -21,36 +21,26 @@ module bump_place #(
     localparam integer XW = ((UV_WIDTH - UV_FRAC > 15) ? UV_WIDTH - UV_FRAC : 15) + 3;
     localparam integer MW = (UV_WIDTH > XW) ? UV_WIDTH : XW;
 
-    function automatic [13:0] coordinate(
-        input signed [XW-1:0] i,
-        input        [14:0]   map_size,
-        input                 periodic
-    );
-        logic signed [XW-1:0] whole;
-        logic signed [XW-1:0] x;
-        begin
-            whole = $signed(XW'(map_size));
-            if (periodic) begin
-                x = (i < 0) ? i + whole : i;
-                x = (x >= whole) ? x - whole : x;
-            end else begin
-                x = (i < 0) ? '0 : i;
-                x = (x > whole - 1) ? whole - 1 : x;
-            end
-            coordinate = x[13:0];
-        end
-    endfunction
-
     wire signed [MW-1:0] place = MW'(u) >>> UV_FRAC;
-    wire        [13:0]   here  = coordinate(place[XW-1:0], size, wrap);
+    wire        [13:0]   here, at_lower, at_upper;
     wire signed [XW-1:0] wide  = $signed(XW'(here));
     wire                 unused_top = &{1'b0, place};    // the texel has fewer bits than U
+
+    rp_map_coordinate #(.W(XW)) texel (
+        .index(place[XW-1:0]), .size(size), .wrap(wrap), .at(here)
+    );
+    rp_map_coordinate #(.W(XW)) below (
+        .index(wide - XW'(1)), .size(size), .wrap(wrap), .at(at_lower)
+    );
+    rp_map_coordinate #(.W(XW)) above (
+        .index(wide + XW'(1)), .size(size), .wrap(wrap), .at(at_upper)
+    );
 
     always_ff @(posedge clk) begin
         if (load) begin
             at        <= here;
-            lower     <= coordinate(wide - 1, size, wrap);
-            upper     <= coordinate(wide + 1, size, wrap);
+            lower     <= at_lower;
+            upper     <= at_upper;
             at_border <= ~wrap & ((here == 14'd0) | (15'(here) + 15'd1 == size));
         end
     end

@@ -5,9 +5,10 @@
 // a filter level, with the highest of the texels under a footprint, the lowest where the surface
 // is seen from the back, or their average (Gumhold and Huettner 4.1).
 //
-// Stage 1: the cell that U lies in. Stage 2: a read a cycle, one, two or four. Stages 3 and 4 of
-// the answers: weights; a vertex' answers become one in stage 5. Stage 6: the height. Stages 7 to
-// 9: D. Stage 10: the products D * N. Stage 11: P + D N, cast.
+// Stage 1: the places along each axis. Stage 2: a read a cycle, one to four, of a `finer` level up
+// to 9 or 25, row by row. Stages 3 and 4 of the answers: weights; a vertex' answers become one in
+// stage 5. Stage 6: the height. Stages 7 to 9: D. Stage 10: the products D * N. Stage 11: P + D N,
+// cast.
 //
 // Time: with a memory that answers M cycles after a request, latency 12 + M, and R - 1 more with R
 // reads; R cycles a vertex; in_ready depends on registers and on the memory alone.
@@ -22,6 +23,7 @@ module displace #(
     input  wire        [14:0]             map_height,
     input  wire                           wrap,            // the map is periodic
     input  wire        [1:0]              filter,          // nearest, bilinear, maximum, average
+    input  wire        [1:0]              finer,           // 2^finer + 1 places: maximum only
     input  wire                           minima,          // the levels have their own
     input  wire        [24:0]             scale_mantissa,  // D = h * mantissa * 2^-exponent + bias
     input  wire        [5:0]              scale_exponent,
@@ -82,8 +84,8 @@ module displace #(
     wire [RW-1:0] cell_vertex;
     wire          beat_valid, beat_ready, beat_last;
     wire [RW-1:0] beat_vertex;
-    wire [2:0]    beat_j;
-    wire          two_columns, two_rows;
+    wire [4:0]    beat_j;
+    wire [2:0]    columns, rows;                   // 1 to 5
 
     rp_pipe #(.W(RW), .L(1)) locating (
         .clk(clk), .rst_n(rst_n),
@@ -92,41 +94,42 @@ module displace #(
         .out_valid(cell_valid), .out_ready(cell_ready), .out_data(cell_vertex),
         .load(load_cell)
     );
-    rp_expand #(.W(RW), .NW(3)) reading (
+    rp_expand #(.W(RW), .NW(5)) reading (
         .clk(clk), .rst_n(rst_n),
         .in_valid(cell_valid), .in_ready(cell_ready), .in_data(cell_vertex),
-        .in_n(3'd1 << ({1'b0, two_columns} + {1'b0, two_rows})),
+        .in_n(5'(columns) * 5'(rows)),
         .out_valid(beat_valid), .out_ready(beat_ready), .out_data(beat_vertex),
         .out_j(beat_j), .out_last(beat_last), .load(load_item)
     );
 
-    wire [13:0]   x_low, x_high, y_low, y_high;
-    wire [WW-1:0] x_low_weight, x_high_weight, y_low_weight, y_high_weight;
-    wire          x_apart, y_apart;
+    // Beats go along x first: beat j is that of column j mod columns, row j / columns.
+    reg  [4:0]    row_beats;                       // columns of the vertex that is read
+    wire [4:0]    two_rows   = {row_beats[3:0], 1'b0};
+    wire [4:0]    three_rows = two_rows + row_beats;
+    wire [4:0]    four_rows  = {row_beats[2:0], 2'b00};
+    wire [2:0]    beat_row   = {2'd0, beat_j >= row_beats} + {2'd0, beat_j >= two_rows}
+                             + {2'd0, beat_j >= three_rows} + {2'd0, beat_j >= four_rows};
+    wire [4:0]    beat_column = beat_j - 5'(beat_row) * row_beats;
+    wire          unused_column = &{1'b0, beat_column[4:3]};
+    wire [WW-1:0] weight_x, weight_y;
+
+    always_ff @(posedge clk) if (load_item) row_beats <= 5'(columns);
 
     displace_cell #(.UV_WIDTH(UV_WIDTH), .UV_FRAC(UV_FRAC)) column (
         .clk(clk), .load(load_cell), .load_item(load_item),
-        .size(map_width), .wrap(wrap), .filter(filter), .u(u_x), .reach(reach_x),
-        .level(cell_vertex[VW +: 4]), .two(two_columns), .apart(x_apart),
-        .low(x_low), .high(x_high), .low_weight(x_low_weight), .high_weight(x_high_weight)
+        .size(map_width), .wrap(wrap), .filter(filter), .finer(finer), .u(u_x), .reach(reach_x),
+        .level(cell_vertex[VW +: 4]), .count(columns),
+        .number(beat_column[2:0]), .texel(texel_x), .weight(weight_x)
     );
     displace_cell #(.UV_WIDTH(UV_WIDTH), .UV_FRAC(UV_FRAC)) row (
         .clk(clk), .load(load_cell), .load_item(load_item),
-        .size(map_height), .wrap(wrap), .filter(filter), .u(u_y), .reach(reach_y),
-        .level(cell_vertex[VW +: 4]), .two(two_rows), .apart(y_apart),
-        .low(y_low), .high(y_high), .low_weight(y_low_weight), .high_weight(y_high_weight)
+        .size(map_height), .wrap(wrap), .filter(filter), .finer(finer), .u(u_y), .reach(reach_y),
+        .level(cell_vertex[VW +: 4]), .count(rows),
+        .number(beat_row), .texel(texel_y), .weight(weight_y)
     );
 
-    // Beats go along x first, where both its ends are read.
-    wire at_x_high = x_apart & beat_j[0];
-    wire at_y_high = y_apart & (x_apart ? beat_j[1] : beat_j[0]);
-
-    assign texel_x       = at_x_high ? x_high : x_low;
-    assign texel_y       = at_y_high ? y_high : y_low;
     assign texel_level   = beat_vertex[VW +: 4];
     assign texel_minimum = minima & beat_vertex[VW + 4] & (beat_vertex[VW +: 4] != 4'd0);
-
-    wire unused_j = &{1'b0, beat_j[2]};            // four beats are numbered 0 to 3
 
     // The reads. Weights and vertex ride along with each beat.
     wire                    answer_valid, answer_ready, answer_first, answer_last;
@@ -138,8 +141,7 @@ module displace #(
     rp_client #(.DW(HEIGHT_WIDTH), .TW(2 + 2 * WW + RW), .K(IN_FLIGHT)) reader (
         .clk(clk), .rst_n(rst_n),
         .in_valid(beat_valid), .in_ready(beat_ready), .in_read(1'b1),
-        .in_tag({beat_j == 3'd0, beat_last, at_x_high ? x_high_weight : x_low_weight,
-                 at_y_high ? y_high_weight : y_low_weight, beat_vertex}),
+        .in_tag({beat_j == 5'd0, beat_last, weight_x, weight_y, beat_vertex}),
         .mem_valid(texel_valid), .mem_ready(texel_ready),
         .mem_rvalid(texel_rvalid), .mem_rready(texel_rready), .mem_rdata(texel_rdata),
         .out_valid(answer_valid), .out_ready(answer_ready),

@@ -5,8 +5,8 @@
 //
 // Stages 0 to 9: half steps of two differences along both axes (footprint_step), beside 1/c.
 // Stage 10: the rectangle around them; on an edge, which has one step, the square around that; at a
-// corner nothing. Stage 11: the level, whose texels are no smaller than the longer side, and the
-// limit of the reach, one texel less than the map.
+// corner nothing. Stage 11: the level, whose texels are no smaller than the longer side, or `finer`
+// levels below it, and the limit of the reach, one texel less than the map.
 //
 // Beside them, (P - eye) . N: differences in stage 0, products in stage 1, the sum's sign in
 // stage 2.
@@ -22,6 +22,7 @@ module footprint #(
     input  wire        [14:0]                 map_width,   // texels
     input  wire        [14:0]                 map_height,
     input  wire        [3:0]                  last_level,
+    input  wire        [1:0]                  finer,       // levels below that of the footprint
     input  wire signed [POSITION_WIDTH-1:0]   eye_x,
     input  wire signed [POSITION_WIDTH-1:0]   eye_y,
     input  wire signed [POSITION_WIDTH-1:0]   eye_z,
@@ -149,7 +150,8 @@ module footprint #(
         end
     endfunction
 
-    wire [5:0]          wanted = length(whole);
+    wire [5:0]          coarse = length(whole);
+    wire [5:0]          wanted = (coarse > 6'(finer)) ? coarse - 6'(finer) : 6'd0;
     reg  [UV_WIDTH-1:0] kept_x, kept_y;
     reg  [3:0]          kept_level;
 

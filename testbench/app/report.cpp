@@ -36,6 +36,7 @@ Json map_part(const LoadedObject& loaded) {
         const bool maximum = loaded.object->map.filter == HeightFilter::Maximum;
         part["levels"] = {{"kind", host::level_filter_name(*levels)},
                           {"filter", maximum ? "maximum" : "average"},
+                          {"finer", loaded.object->map.finer_levels},
                           {"last", host::level_count(map.width, map.height)}};
     }
     if (map.has_elevation) part["elevation_m"] = {map.elevation_low_m, map.elevation_high_m};

@@ -102,6 +102,7 @@ DrawInputs draw_inputs(const Scene& scene, const Object& object, const Mesh& mes
     inputs.sweep = object.sweep;
     inputs.filter = object.map.filter;
     inputs.levels = object.map.levels;
+    inputs.finer_levels = object.map.finer_levels;
     inputs.uv = object.map.uv;
     inputs.bump = object.bump;
     inputs.shade = object.shade;

@@ -26,6 +26,7 @@ struct DrawInputs {
     SweepSettings sweep;
     HeightFilter filter = HeightFilter::Nearest;
     std::optional<LevelFilter> levels;  ///< filter levels that `filter` reads
+    int finer_levels = 0;               ///< levels below that of a footprint, for Maximum
     UvSpan uv = UvSpan::Edges;
     bool bump = false;              ///< displaced normals are wanted in the output
     std::optional<Material> shade;  ///< colours are wanted

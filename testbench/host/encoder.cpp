@@ -36,6 +36,7 @@ void Encoder<P>::map(const DrawInputs& inputs, bool with_bump, MapView<P>& view,
     view.height = source.height;
     view.wrap = source.wrap;
     view.filter = inputs.filter;
+    view.finer = inputs.finer_levels;
     view.bias = value(source.range_low, &Profile::displacement, "displacement");
     value(source.range_high, &Profile::displacement, "displacement");
     tables.heights = source.texels;

@@ -17,11 +17,14 @@ namespace {
 /// came from, and equal numbers stand together.
 template <class Output, class Triangle, class Base>
 RunSurface finish(const Output& output, const std::vector<Triangle>& triangles,
-                  const Profile& profile, const host::DrawInputs& inputs, Base base) {
+                  const Profile& profile, const host::DrawInputs& inputs,
+                  const DisplaceCounters& displace, Base base) {
     RunSurface surface;
     surface.view = host::surface_view(host::surface_mesh<Fixed>(output, profile, inputs), inputs);
     surface.base_triangles = inputs.mesh->triangles.size();
     surface.rejected = surface.base_triangles;
+    surface.displaced = displace.items;
+    surface.texel_reads = displace.reads;
     for (std::size_t i = 0; i < triangles.size();) {
         std::size_t end = i;
         while (end < triangles.size() && base(triangles[end]) == base(triangles[i])) ++end;
@@ -83,7 +86,7 @@ Result<RunSurface> SceneRun::run(std::size_t object) const {
             triangles.insert(triangles.end(), some.begin(), some.end());
         });
         if (!fits) return lost(what.name);
-        return finish(triangles, triangles, profile_, inputs,
+        return finish(triangles, triangles, profile_, inputs, pipeline.counters().displace,
                       [](const auto& t) { return t.path.base; });
     }
     const auto draw = host::make_sweep_draw<Fixed>(profile_, inputs);
@@ -91,7 +94,8 @@ Result<RunSurface> SceneRun::run(std::size_t object) const {
     SweepPipeline<Fixed> pipeline(profile_, *draw);
     SweepMesh<Fixed> fine;
     if (!pipeline.run(fine)) return lost(what.name);
-    return finish(fine, fine.triangles, profile_, inputs, [](const auto& t) { return t.base; });
+    return finish(fine, fine.triangles, profile_, inputs, pipeline.counters().displace,
+                  [](const auto& t) { return t.base; });
 }
 
 }  // namespace repousse::study

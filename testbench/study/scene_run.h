@@ -19,6 +19,8 @@ struct RunSurface {
     std::size_t base_triangles = 0;  ///< of the base mesh
     std::size_t whole = 0;           ///< base triangles that are one triangle still
     std::size_t rejected = 0;        ///< base triangles without output: not visible
+    uint64_t displaced = 0;          ///< vertices that `displace` made
+    uint64_t texel_reads = 0;        ///< texels that it read for them
 
     std::size_t triangles() const { return view.triangles.size(); }
     std::size_t vertices() const { return view.positions.size(); }

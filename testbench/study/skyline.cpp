@@ -54,17 +54,24 @@ std::vector<double> skyline(const host::RenderMesh& surface, const host::ViewPro
     points.reserve(surface.positions.size());
     for (const glm::dvec3& p : surface.positions) points.push_back(view.project(p));
     std::vector<double> curve(static_cast<std::size_t>(viewport.width_px), 0.0);
+    const auto column = [&curve](double x) {
+        return static_cast<std::size_t>(std::clamp(x, 0.0, static_cast<double>(curve.size())));
+    };
     for (const auto& t : surface.triangles) {
         for (std::size_t k = 0; k < 3; ++k) {
             const host::ScreenPoint* p = &points[t[k]];
             const host::ScreenPoint* q = &points[t[(k + 1) % 3]];
             if (p->x > q->x) std::swap(p, q);
-            const double first = std::max(0.0, std::ceil(p->x - 0.5));
-            const double last = std::min(viewport.width_px - 1.0, std::floor(q->x - 0.5));
-            for (double x = first; x <= last; ++x) {
-                const double along = q->x > p->x ? (x + 0.5 - p->x) / (q->x - p->x) : 0.0;
-                double& most = curve[static_cast<std::size_t>(x)];
-                most = std::max(most, viewport.height_px - (p->y + along * (q->y - p->y)));
+            const double slope = q->x > p->x ? (q->y - p->y) / (q->x - p->x) : 0.0;
+            const auto row = [&](double x) {
+                return x >= q->x ? q->y : p->y + std::max(0.0, x - p->x) * slope;
+            };
+            const std::size_t end = column(std::floor(q->x) + 1.0);
+            for (std::size_t x = column(std::floor(p->x)); x < end; ++x) {
+                // A straight edge is highest at one of its two ends within the column.
+                const auto left = static_cast<double>(x);
+                const double top = std::min(row(left), row(left + 1.0));
+                curve[x] = std::max(curve[x], viewport.height_px - top);
             }
         }
     }

@@ -13,9 +13,10 @@
 
 namespace repousse::study {
 
-/// A surface's upper silhouette: for each column of pixels how high it reaches at the column's
-/// middle, in pixels above the picture's bottom border; 0 where nothing is. Exact: the highest
-/// point of any triangle's edge there. The surface lies in front of the near plane.
+/// A surface's upper silhouette: for each column of pixels how high it reaches anywhere in the
+/// column, in pixels above the picture's bottom border; 0 where nothing is. Exact: the highest
+/// point of any triangle's edge there, so that no summit is lost between the columns' middles. The
+/// surface lies in front of the near plane.
 std::vector<double> skyline(const host::RenderMesh& surface, const host::ViewProjection& view,
                             const host::Viewport& viewport);
 

@@ -19,6 +19,7 @@
 #include "testbench/host/mesh/mesh_check.h"
 #include "testbench/host/mesh/mesh_reader.h"
 #include "testbench/host/mesh/procedural_mesh.h"
+#include "testbench/study/closed_mesh.h"
 #include "testbench/study/sweep_mesh.h"
 #include "testbench/tests/support/profiles.h"
 
@@ -38,7 +39,8 @@ struct Noise {
     host::LevelTable table;
     MapView<Fixed> view;
 
-    Noise(int width, int height, bool wrap, host::LevelFilter kind, HeightFilter filter) {
+    Noise(int width, int height, bool wrap, host::LevelFilter kind, HeightFilter filter,
+          int finer = 0) {
         std::mt19937_64 random(7);
         host::HeightMap map;
         map.width = width;
@@ -51,6 +53,7 @@ struct Noise {
         view.height = height;
         view.wrap = wrap;
         view.filter = filter;
+        view.finer = finer;
         view.last_level = table.last_level;
         view.has_minima = table.has_minima;
         view.heights = table.heights;
@@ -147,12 +150,16 @@ void expect_watertight_in_all_ways(const Case& c) {
                       "box maxima");
     expect_watertight(c, {512, 512, true, LevelFilter::BoxMaximum, HeightFilter::Maximum},
                       "box maxima, periodic");
+    expect_watertight(c, {512, 512, true, LevelFilter::BoxMaximum, HeightFilter::Maximum, 1},
+                      "box maxima one level finer, periodic");
     expect_watertight(c, {300, 417, false, LevelFilter::Average, HeightFilter::Maximum},
                       "averages, highest");
     expect_watertight(c, {300, 417, true, LevelFilter::Average, HeightFilter::Average},
                       "averages, average, periodic");
     expect_watertight(c, {128, 100, false, LevelFilter::Variational, HeightFilter::Maximum},
                       "variational");
+    expect_watertight(c, {300, 417, false, LevelFilter::Variational, HeightFilter::Maximum, 2},
+                      "variational two levels finer");
 }
 
 Case icosphere(int subdivisions) {
@@ -198,11 +205,13 @@ TEST(LevelsWatertight, SweepFootprintsOnEdgesCrack) {
 TEST(LevelsWatertight, SmallAndFlatMaps) {
     for (const auto& [width, height] : {std::array{1, 1}, std::array{2, 1}, std::array{3, 5}}) {
         for (const bool wrap : {false, true}) {
-            const Noise noise(width, height, wrap, host::LevelFilter::BoxMaximum,
-                              HeightFilter::Maximum);
-            const Total t = run(icosphere(1), noise);
-            EXPECT_EQ(t.open, 0u);
-            EXPECT_EQ(t.cracked, 0u) << width << " x " << height;
+            for (int finer = 0; finer <= kMostFiner; ++finer) {
+                const Noise noise(width, height, wrap, host::LevelFilter::BoxMaximum,
+                                  HeightFilter::Maximum, finer);
+                const Total t = run(icosphere(1), noise);
+                EXPECT_EQ(t.open, 0u);
+                EXPECT_EQ(t.cracked, 0u) << width << " x " << height << ", finer " << finer;
+            }
         }
     }
     Noise top(64, 64, true, host::LevelFilter::BoxMaximum, HeightFilter::Maximum);

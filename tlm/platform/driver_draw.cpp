@@ -190,6 +190,7 @@ void Driver::program(const SweepDraw<Fixed>& draw) {
     set(kClipSineY, clip.sine_y);
     set(kClipMargin, clip.margin);
     set(kLastLevel, draw.map.last_level);
+    set(kFiner, draw.map.finer);
     if (draw.registers.use_shade) program_shade(draw.registers.shade);
 }
 

@@ -65,6 +65,7 @@ public:
                      : has(kAverage)  ? HeightFilter::Average
                      : has(kBilinear) ? HeightFilter::Bilinear
                                       : HeightFilter::Nearest;
+        map.finer = word(kFiner);
         map.last_level = word(kLastLevel);
         map.has_minima = has(kMinima);
         map.scale_mantissa = word(kScaleMantissa);

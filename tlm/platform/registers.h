@@ -77,6 +77,7 @@ enum Register : uint32_t {
     kOutputVerticesLo,      ///< address of FineRecord[]
     kOutputVerticesHi,
     kLastLevel,  ///< filter levels behind the map, 0 to 14; kMaximum or kAverage only
+    kFiner,      ///< levels below that of a footprint, 0 to 2; kMaximum only
 
     // Bump of kind 1: a slope is a rise of heights over two texels * mantissa * 2^-exponent.
     kSlopeUMantissa,

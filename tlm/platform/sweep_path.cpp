@@ -141,7 +141,9 @@ bool SweepPath::in_range() const {
     const MapView<Fixed> map = frame.map();
     const bool levels =
         frame[kLastLevel] <= kMostLevels && (frame[kLastLevel] == 0 || reads_levels(map.filter));
-    return levels && frame.word(kWMin) > 0 && frame.word(kWScale) >= frame.word(kWMin) &&
+    const bool finer =
+        frame[kFiner] <= kMostFiner && (frame[kFiner] == 0 || map.filter == HeightFilter::Maximum);
+    return levels && finer && frame.word(kWMin) > 0 && frame.word(kWScale) >= frame.word(kWMin) &&
            depth_table && frame.word(kGuard) >= 1 && frame.word(kGuard) <= kGridLimit &&
            frame.word(kZOffset) >= -kSlotLimit && frame.word(kZOffset) < kSlotLimit;
 }
@@ -172,7 +174,8 @@ void SweepPath::configure_units() {
     if (units_->footprint) {
         units_->footprint->enable(reads_levels(frame.map().filter));
         units_->footprint->configure({frame.word(kMapWidth), frame.word(kMapHeight),
-                                      frame.word(kLastLevel), frame.vector(kEye)});
+                                      frame.word(kLastLevel), frame.word(kFiner),
+                                      frame.vector(kEye)});
     }
     units_->perspective.configure(use_bump);
     units_->sweep_line.configure(

@@ -6,7 +6,7 @@ namespace {
 
 struct DisplaceUnit {
     static constexpr const char* kName = "displace";
-    static constexpr int kConfigs = 8;
+    static constexpr int kConfigs = 9;
     static constexpr int kInputs = 12;
     static constexpr int kOutputs = 3;
     static constexpr int kReadEntries = 1;
@@ -16,10 +16,11 @@ struct DisplaceUnit {
         top.map_height = bits<15>(config[1]);
         top.wrap = bits<1>(config[2]);
         top.filter = bits<2>(config[3]);
-        top.minima = bits<1>(config[4]);
-        top.scale_mantissa = bits<25>(config[5]);
-        top.scale_exponent = bits<6>(config[6]);
-        top.bias = bits<DISPLACEMENT_WIDTH>(config[7]);
+        top.finer = bits<2>(config[4]);
+        top.minima = bits<1>(config[5]);
+        top.scale_mantissa = bits<25>(config[6]);
+        top.scale_exponent = bits<6>(config[7]);
+        top.bias = bits<DISPLACEMENT_WIDTH>(config[8]);
     }
 
     static void drive(Vunit& top, const int64_t* in) {
@@ -38,9 +39,9 @@ struct DisplaceUnit {
     }
 
     static void sample(const Vunit& top, int64_t* out) {
-        sample_vector<POSITION_WIDTH, true>(top.displaced_x, out, 1);
-        sample_vector<POSITION_WIDTH, true>(top.displaced_y, out + 1, 1);
-        sample_vector<POSITION_WIDTH, true>(top.displaced_z, out + 2, 1);
+        out[0] = extended<POSITION_WIDTH>(top.displaced_x);
+        out[1] = extended<POSITION_WIDTH>(top.displaced_y);
+        out[2] = extended<POSITION_WIDTH>(top.displaced_z);
     }
 
     static void drive_memory(Vunit& top, bool ready, bool rvalid, const uint64_t* rdata) {
@@ -53,7 +54,7 @@ struct DisplaceUnit {
     static bool takes_answer(const Vunit& top) { return top.texel_rready; }
     static bool wants(const Vunit&, int) { return true; }
     /// All levels stand below each other in one table of as many columns as the map's, then the
-    /// minima of levels 1 to 14 (displace_model.cpp).
+    /// minima of levels 1 to 14 (displace_cases.cpp).
     static Address address(const Vunit& top, int) {
         constexpr uint32_t kMostLevels = 14;
         const auto rows = [&top](uint32_t level) {

@@ -4,15 +4,9 @@
 namespace repousse::harness {
 namespace {
 
-/// A port's bits as a signed word.
-template <int width>
-int64_t word(uint64_t port) {
-    return static_cast<int64_t>(port << (64 - width)) >> (64 - width);
-}
-
 struct FootprintUnit {
     static constexpr const char* kName = "footprint";
-    static constexpr int kConfigs = 6;
+    static constexpr int kConfigs = 7;
     static constexpr int kInputs = 16;
     static constexpr int kOutputs = 4;
     static constexpr int kReadEntries = 0;
@@ -21,9 +15,10 @@ struct FootprintUnit {
         top.map_width = bits<15>(config[0]);
         top.map_height = bits<15>(config[1]);
         top.last_level = bits<4>(config[2]);
-        top.eye_x = bits<POSITION_WIDTH>(config[3]);
-        top.eye_y = bits<POSITION_WIDTH>(config[4]);
-        top.eye_z = bits<POSITION_WIDTH>(config[5]);
+        top.finer = bits<2>(config[3]);
+        top.eye_x = bits<POSITION_WIDTH>(config[4]);
+        top.eye_y = bits<POSITION_WIDTH>(config[5]);
+        top.eye_z = bits<POSITION_WIDTH>(config[6]);
     }
 
     static void drive(Vunit& top, const int64_t* in) {
@@ -46,8 +41,8 @@ struct FootprintUnit {
     }
 
     static void sample(const Vunit& top, int64_t* out) {
-        out[0] = word<UV_WIDTH>(top.reach_x);
-        out[1] = word<UV_WIDTH>(top.reach_y);
+        out[0] = extended<UV_WIDTH>(top.reach_x);
+        out[1] = extended<UV_WIDTH>(top.reach_y);
         out[2] = top.level;
         out[3] = top.back;
     }

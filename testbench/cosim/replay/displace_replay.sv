@@ -6,7 +6,7 @@ module displace_replay #(
     , parameter integer ENTRIES = 1
 );
     localparam integer PLACE = 21;  // bits of a table's place in the file
-    localparam integer RW = 15 + 15 + 1 + 2 + 1 + 25 + 6 + DISPLACEMENT_WIDTH + PLACE;
+    localparam integer RW = 15 + 15 + 1 + 2 + 2 + 1 + 25 + 6 + DISPLACEMENT_WIDTH + PLACE;
     localparam integer IW = 3 * POSITION_WIDTH + 3 * NORMAL_WIDTH + 4 * UV_WIDTH + 4 + 1;
     localparam integer OW = 3 * POSITION_WIDTH;
 
@@ -15,7 +15,7 @@ module displace_replay #(
     wire [31:0]                   eagerness;
     wire [14:0]                   map_width, map_height;
     wire                          wrap, minima;
-    wire [1:0]                    filter;
+    wire [1:0]                    filter, finer;
     wire [24:0]                   scale_mantissa;
     wire [5:0]                    scale_exponent;
     wire [DISPLACEMENT_WIDTH-1:0] bias;
@@ -36,11 +36,11 @@ module displace_replay #(
         .in_valid(in_valid), .in_ready(in_ready),
         .out_valid(out_valid), .out_ready(out_ready),
         .out_bits({displaced_x, displaced_y, displaced_z}),
-        .eagerness(eagerness)
+        .out_last(1'b1), .eagerness(eagerness)
     );
 
-    assign {map_width, map_height, wrap, filter, minima, scale_mantissa, scale_exponent, bias,
-            first_entry} = line[IW + OW +: RW];
+    assign {map_width, map_height, wrap, filter, finer, minima, scale_mantissa, scale_exponent,
+            bias, first_entry} = line[IW + OW +: RW];
     assign {p_x, p_y, p_z, n_x, n_y, n_z, u_x, u_y, reach_x, reach_y, level, back} = line[OW +: IW];
 
     // All levels stand below each other in one table of as many columns as the map's, then the
@@ -80,7 +80,7 @@ module displace_replay #(
     ) unit (
         .clk(clk), .rst_n(rst_n),
         .map_width(map_width), .map_height(map_height), .wrap(wrap), .filter(filter),
-        .minima(minima),
+        .finer(finer), .minima(minima),
         .scale_mantissa(scale_mantissa), .scale_exponent(scale_exponent), .bias(bias),
         .in_valid(in_valid), .in_ready(in_ready),
         .p_x(p_x), .p_y(p_y), .p_z(p_z), .n_x(n_x), .n_y(n_y), .n_z(n_z), .u_x(u_x), .u_y(u_y),

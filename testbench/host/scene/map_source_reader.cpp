@@ -153,6 +153,13 @@ void read_filter(TableReader& reader, MapSource& map) {
         reader.fail("levels", "filter levels that filter = \"" + name + "\" does not read",
                     "filter = \"maximum\" or \"average\"");
     }
+    map.finer_levels = reader.integer("finer_levels", 0, 0, kMostFiner);
+    if (map.finer_levels > 0 && map.filter != HeightFilter::Maximum) {
+        reader.fail("finer_levels",
+                    "finer_levels = " + std::to_string(map.finer_levels) + " with filter = \"" +
+                        name + "\"",
+                    "filter = \"maximum\", or finer_levels = 0");
+    }
 }
 
 }  // namespace

@@ -131,6 +131,7 @@ struct MapSource {
     bool wrap = false;
     HeightFilter filter = HeightFilter::Nearest;
     std::optional<LevelFilter> levels;  ///< filter levels to read from; absent: the map alone
+    int finer_levels = 0;               ///< below that of a footprint, 0..kMostFiner
     UvSpan uv = UvSpan::Edges;
     SceneMark mark;
 };
