@@ -82,19 +82,11 @@ module sweep_line #(
     localparam integer UW  = 199;              // a beat of control
 
     wire [SW-1:0] scalars = {
-        single, continues, mirrored, sweep_start, determinant, step_limit, half0_columns,
-        half0_down, half0_flip, half0_tip, half0_closing, half0_other_left, half0_other_right,
-        half1_columns, half1_down, half1_flip, half1_tip, half1_closing, half1_other_left,
-        half1_other_right, walk0_edge, walk0_from, walk0_to, walk0_backward, walk0_steps,
-        walk0_row, walk0_row_quotient, walk0_row_rest, walk1_edge, walk1_from, walk1_to,
-        walk1_backward, walk1_steps, walk1_row, walk1_row_quotient, walk1_row_rest,
-        edge0_edge, edge0_from, edge0_to, edge0_backward, edge0_steps, edge0_row,
-        edge0_row_quotient, edge0_row_rest, edge1_edge, edge1_from, edge1_to, edge1_backward,
-        edge1_steps, edge1_row, edge1_row_quotient, edge1_row_rest};
+`include "rtl/units/sweep_line_scalars.svh"
+    };
     wire [XW-1:0] vectors = {
-        corner0, corner1, corner2, walk0_start, walk0_step, walk0_rest, walk1_start,
-        walk1_step, walk1_rest, edge0_start, edge0_step, edge0_rest, edge1_start, edge1_step,
-        edge1_rest, base0, base1, sweep_step, sweep_rest, side_step, side_rest};
+`include "rtl/units/sweep_line_vectors.svh"
+    };
 
     // ---- two items ------------------------------------------------------------------------------
     reg  [1:0]      busy;                      // a buffer holds an item,

@@ -1,10 +1,11 @@
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <map>
 
 #include "datapath/units/bump.h"
-#include "testbench/cosim/table_pool.h"
+#include "testbench/cosim/bump_cases.h"
+#include "testbench/cosim/map_stimuli.h"
+#include "testbench/cosim/raw_words.h"
 #include "testbench/cosim/unit_model.h"
 
 namespace repousse::cosim {
@@ -13,21 +14,6 @@ namespace {
 using Registers = MapView<Fixed>;
 using Vector = Vec3<int32_t>;
 using TablePointer = std::shared_ptr<const Table>;
-
-/// A map of texels as the read port carries them: the table has a column and a row more than the
-/// map, which are not read.
-TablePointer texel_map(int width, int height, const std::function<uint64_t(int, int)>& texel) {
-    const auto columns = static_cast<std::size_t>(width) + 1;
-    const auto table = std::make_shared<Table>(Table{width, height, {}});
-    table->entries.resize(columns * (static_cast<std::size_t>(height) + 1));
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            table->entries[static_cast<std::size_t>(y) * columns + static_cast<std::size_t>(x)] =
-                texel(x, y);
-        }
-    }
-    return table;
-}
 
 /// The texels of a table as the datapath reads them, of whichever kind.
 struct Texels {
@@ -39,16 +25,14 @@ struct Texels {
 class BumpModel : public UnitModel {
 public:
     explicit BumpModel(const Profile& profile)
-        : UnitModel(profile, kBumpDesc),
-          kind_(static_cast<BumpKind>(profile.bump_kind)),
-          unit_(profile) {}
+        : UnitModel(profile, kBumpDesc), texel_(profile), unit_(profile) {}
 
     const UnitDesc& desc() const override { return kBumpDesc; }
     bool reads_table() const override { return true; }
-    int entry_bits() const override { return fields() * field_bits(); }
+    int entry_bits() const override { return texel_.bits(); }
     uint64_t weight() const override { return 4; }
     uint64_t icarus_weight() const override { return 10; }
-    std::vector<Scenario> hard_cases() const override;
+    std::vector<Scenario> hard_cases() const override { return bump_cases(profile()); }
     Scenario random(Random& random, std::size_t count) const override;
     Scenario exhaustive(uint64_t portion) const override;
 
@@ -62,11 +46,8 @@ public:
         const Texels& texels = unpacked(scenario.table);
         map.normals = texels.normals, map.heights = texels.heights, map.turns = texels.turns;
         unit_.configure(map);
-        outputs.clear();
-        for (std::size_t i = 0; i < scenario.inputs.size(); i += inputs()) {
-            const BumpOut out = unit_(BumpIn::unpack(&scenario.inputs[i]));
-            for (const int64_t word : out.pack()) outputs.push_back(word);
-        }
+        answer_each(scenario, outputs,
+                    [this](const Word* in) { return unit_(BumpIn::unpack(in)).pack(); });
     }
 
     std::unique_ptr<UnitModel> with(const Profile& profile) const override {
@@ -89,44 +70,8 @@ public:
     }
 
 private:
-    /// Bits of a texel's fields, of which there are `fields`.
-    int field_bits() const {
-        return kind_ == BumpKind::Normals  ? profile().map_normal.width
-               : kind_ == BumpKind::Slopes ? profile().height.width
-                                           : profile().angle.width;
-    }
-    int fields() const {
-        return kind_ == BumpKind::Normals ? 3 : kind_ == BumpKind::Slopes ? 1 : 2;
-    }
-    uint64_t texel(const std::array<int32_t, 3>& values) const {
-        uint64_t word = 0;
-        const uint64_t mask = (uint64_t{1} << field_bits()) - 1;
-        for (int i = fields(); i-- > 0;) {
-            word = word << field_bits() |
-                   (static_cast<uint64_t>(values[static_cast<std::size_t>(i)]) & mask);
-        }
-        return word;
-    }
     const Texels& unpacked(const TablePointer& pointer);
     const std::vector<TablePointer>& pool() const;
-    std::array<int64_t, 7> registers(const Table& table, bool wrap, int32_t mantissa,
-                                     int exponent) const {
-        Registers map;
-        map.width = table.width, map.height = table.height, map.wrap = wrap;
-        map.slope_u = {mantissa, exponent};
-        map.slope_v = {mantissa - mantissa / 3, exponent};
-        return pack_bump_registers(map);
-    }
-    int32_t one() const { return 1 << profile().normal.frac; }
-    int32_t coordinate(Random& random, int size, bool wrap) const;
-    /// The nearest coordinate that a periodic map of this size accepts: within one period.
-    int32_t within_a_period(int64_t u, int size) const {
-        const int64_t one = int64_t{1} << profile().uv.frac;
-        return limited(profile().uv, std::clamp(u, -size * one + one, (2 * size - 1) * one - one));
-    }
-    static int32_t limited(const Format& format, int64_t x) {
-        return static_cast<int32_t>(std::clamp(x, format.min_raw(), format.max_raw()));
-    }
     Vector any_vector(Random& random) const {
         const Format& format = profile().normal;
         const auto length = random.below(static_cast<uint32_t>(format.width));
@@ -139,7 +84,7 @@ private:
         return {any(), any(), any()};
     }
 
-    BumpKind kind_;
+    BumpTexel texel_;
     Bump<Fixed> unit_;
     std::map<TablePointer, Texels> texels_;
     mutable std::vector<TablePointer> pool_;  // built when first needed
@@ -152,11 +97,7 @@ const Texels& BumpModel::unpacked(const TablePointer& pointer) {
     for (std::size_t y = 0; y < static_cast<std::size_t>(pointer->height); ++y) {
         for (std::size_t x = 0; x < width; ++x) {
             const uint64_t word = pointer->entries[y * (width + 1) + x];
-            const auto field = [&](int i) {
-                const int spare = 64 - field_bits();
-                return static_cast<int16_t>(
-                    static_cast<int64_t>(word >> (i * field_bits()) << spare) >> spare);
-            };
+            const auto field = [&](int i) { return texel_.field(word, i); };
             texels.normals.push_back({field(0), field(1), field(2)});
             texels.heights.push_back(static_cast<uint16_t>(word));
             texels.turns.push_back({field(0), field(1)});
@@ -174,128 +115,14 @@ const std::vector<TablePointer>& BumpModel::pool() const {
     if (!pool_.empty()) return pool_;
     Random random(1);
     const int most_texels = 1 << (profile().uv.width - 1 - profile().uv.frac);
-    const uint64_t mask = (uint64_t{1} << (field_bits() * fields())) - 1;
+    const uint64_t mask = texel_.mask();
     for (const Shape& shape : kShapes) {
         if (std::max(shape.width, shape.height) > most_texels) continue;
         pool_.push_back(
-            texel_map(shape.width, shape.height, [&](int, int) { return random.next() & mask; }));
+            texel_table(shape.width, shape.height, [&](int, int) { return random.next() & mask; }));
     }
-    pool_.push_back(texel_map(5, 5, [&](int, int) { return mask; }));
+    pool_.push_back(texel_table(5, 5, [&](int, int) { return mask; }));
     return pool_;
-}
-
-std::vector<Scenario> BumpModel::hard_cases() const {
-    std::vector<Scenario> cases;
-    const auto texel_one = static_cast<int32_t>(1 << profile().uv.frac);
-    const int bits = field_bits();
-    const int32_t most = (1 << (bits - 1)) - 1;  // of a field, signed
-    // As kinds 0, 1 and 2 read it: normals of several lengths, the zero vector among them; heights
-    // from end to end; angles from -1 to 1 half turn, the quarters among them.
-    const TablePointer mixed = texel_map(4, 3, [&](int x, int y) {
-        const int i = 4 * y + x;
-        const std::array<int32_t, 3> normals[] = {
-            {0, 0, 1 << profile().map_normal.frac}, {0, 0, 0}, {most, most, most},
-            {-most - 1, -most - 1, -most - 1},      {1, 0, 0}, {0, -1, 1}};
-        if (kind_ == BumpKind::Normals) return texel(normals[i % 6]);
-        if (kind_ == BumpKind::Slopes) return texel({i % 3 == 2 ? 0 : (most >> i) * 2 + 1, 0, 0});
-        const int32_t quarter = 1 << (bits - 2);
-        return texel({quarter * (x - 2), (quarter + y) * (y - 1), 0});
-    });
-    const TablePointer full = texel_map(2, 2, [&](int, int) { return texel({-1, -1, -1}); });
-    const TablePointer cliff = texel_map(3, 1, [&](int x, int) {
-        return texel({x == 1 ? -1 : 0, x == 1 ? most : -most - 1, x == 0 ? most : 1});
-    });
-    const int32_t mantissa = 3 << 22;
-    const int exponent = 24 + profile().height.frac - 3;  // slopes of a few units
-    const auto begin = [&](const char* name, const TablePointer& table, bool wrap, int e) {
-        const auto config = registers(*table, wrap, mantissa, e);
-        cases.push_back({name, {config.begin(), config.end()}, table, {}});
-    };
-    const auto add = [&](const Vector& n, const Vector& t, bool left = false, Uv u = {}) {
-        cases.back().add(BumpIn{u, n, t, left});
-    };
-    const auto every_texel = [&](const Vector& n, const Vector& t) {
-        for (int y = 0; y < cases.back().table->height; ++y) {
-            for (int x = 0; x < cases.back().table->width; ++x) {
-                for (const bool left : {false, true}) {
-                    add(n, t, left, {x * texel_one + texel_one / 2, y * texel_one});
-                }
-            }
-        }
-    };
-    const Vector up{0, 0, one()}, east{one(), 0, 0}, zero{};
-
-    begin("axes", mixed, false, exponent);
-    every_texel(up, east);
-    every_texel(east, {0, -one(), 0});
-    begin("handedness", mixed, true, exponent);
-    every_texel({0, one(), 0}, east);
-    for (const bool wrap : {false, true}) {
-        begin(wrap ? "periodic" : "clamped", mixed, wrap, exponent);
-        for (const int32_t x : {-2, -1, 0, 1, 2, 3, 4, 5}) {
-            for (const int32_t part : {0, texel_one - 1}) {
-                const int32_t u = x * texel_one + part;
-                const Uv across{u, wrap ? within_a_period(u, 3) : u};
-                add(up, east, false, across);
-                add(up, east, false, {across.x, texel_one});
-            }
-        }
-    }
-    begin("far_outside", mixed, false, exponent);
-    for (const int64_t u : {profile().uv.min_raw(), profile().uv.max_raw()}) {
-        add(up, east, false, {static_cast<int32_t>(u), 0});
-        add(up, east, false, {0, static_cast<int32_t>(u)});
-    }
-    begin("one_texel",
-          texel_map(1, 1,
-                    [&](int, int) {
-                        return texel({5, -7, 9});
-                    }),
-          true, exponent);
-    add(up, east);
-    begin("zero_tangent", mixed, false, exponent);  // no frame: N' is N
-    every_texel(up, zero);
-    every_texel({-one() / 2, one() / 3, 7}, zero);
-    begin("tangent_along_the_normal", mixed, false, exponent);
-    every_texel(up, up);
-    every_texel(up, {0, 0, -one()});
-    every_texel({one() / 2, -one() / 2, one() / 4}, {-one() / 2, one() / 2, -one() / 4});
-    begin("tangent_nearly_along_the_normal", mixed, false, exponent);  // one LSB of B is a frame
-    every_texel(up, {1, 0, one()});
-    every_texel(up, {0, -1, -one()});
-    begin("zero_normal", mixed, false, exponent);  // no direction, whatever the tangent
-    every_texel(zero, east);
-    every_texel(zero, zero);
-    begin("short_vectors", mixed, false, exponent);
-    every_texel({0, 0, 1}, {1, 0, 0});
-    every_texel({1, 0, 0}, {0, one(), 0});
-    const auto least = static_cast<int32_t>(profile().normal.min_raw());
-    const auto highest = static_cast<int32_t>(profile().normal.max_raw());
-    begin("longest_vectors", mixed, false, exponent);  // B and v saturate, but for kind 1's v
-    every_texel({least, least, highest}, {least, highest, highest});
-    every_texel({least, highest, least}, {highest, least, least});
-    every_texel({highest, highest, highest}, {highest, highest, -highest});
-    begin("all_at_the_top", full, false, exponent);
-    every_texel(up, east);
-    begin("cliff", cliff, true, exponent);
-    every_texel(up, east);
-    begin("slopes_saturate", mixed, false, 0);
-    every_texel(up, east);
-    every_texel({least, least, least}, {highest, least, highest});
-    begin("largest_exponent", mixed, false, 63);  // nothing is left of the slopes
-    every_texel(up, east);
-    return cases;
-}
-
-/// On the map, beyond its border, near a seam, or at a texel's border.
-int32_t BumpModel::coordinate(Random& random, int size, bool wrap) const {
-    const int64_t one = int64_t{1} << profile().uv.frac;
-    const int64_t whole = size * one;
-    int64_t x = random.between(-whole / 2, whole + whole / 2);
-    const uint32_t kind = random.below(100);
-    if (kind < 25) x = (random.percent(50) ? 0 : whole) + random.between(-2 * one, 2 * one);
-    if (kind >= 15 && kind < 40) x = (x & -one) + random.between(-1, 1);
-    return wrap ? within_a_period(x, size) : limited(profile().uv, x);
 }
 
 Scenario BumpModel::random(Random& random, std::size_t count) const {
@@ -307,9 +134,11 @@ Scenario BumpModel::random(Random& random, std::size_t count) const {
         mantissa |= 1 << (kScaleBits - 1);
         exponent = kScaleBits + profile().height.width - static_cast<int>(random.below(8));
     }
-    const auto config = registers(*s.table, wrap, mantissa, exponent);
-    s.config.assign(config.begin(), config.end());
+    s.config = bump_registers(*s.table, wrap, mantissa, exponent);
     s.inputs.reserve(count * inputs());
+    const auto coordinate = [&](int size) {
+        return map_coordinate(random, profile().uv, size, wrap, false);
+    };
     for (std::size_t i = 0; i < count; ++i) {
         BumpIn in;
         in.n = any_vector(random);
@@ -318,8 +147,7 @@ Scenario BumpModel::random(Random& random, std::size_t count) const {
         if (random.percent(2)) in.t = {};
         if (random.percent(2)) in.n = {};
         in.left = random.percent(50);
-        in.u = {coordinate(random, s.table->width, wrap),
-                coordinate(random, s.table->height, wrap)};
+        in.u = {coordinate(s.table->width), coordinate(s.table->height)};
         s.add(in);
     }
     return s;
@@ -331,14 +159,13 @@ Scenario BumpModel::exhaustive(uint64_t portion) const {
     if (portion >= 128 || profile().normal.width != 3) return {};
     Random random(7 + portion);
     Scenario s{"exhaustive", {}, nullptr, {}};
-    s.table = texel_map(8, 8, [&](int x, int y) {
-        const auto all = static_cast<uint64_t>(8 * y + x);
-        return kind_ == BumpKind::Slopes ? random.below(1U << profile().height.width) : all;
+    s.table = texel_table(8, 8, [&](int x, int y) {
+        const uint64_t all = 8 * static_cast<uint64_t>(y) + static_cast<uint64_t>(x);
+        return texel_.kind() == BumpKind::Slopes ? random.below(1U << profile().height.width) : all;
     });
-    const auto config =
-        registers(*s.table, (portion & 1) != 0, static_cast<int32_t>(1 + random.below(15)),
-                  static_cast<int>(random.below(6)));
-    s.config.assign(config.begin(), config.end());
+    const auto mantissa = static_cast<int32_t>(1 + random.below(15));
+    s.config =
+        bump_registers(*s.table, (portion & 1) != 0, mantissa, static_cast<int>(random.below(6)));
     s.inputs.reserve(inputs() << 17);
     for (uint64_t i = 0; i < uint64_t{1} << 17; ++i) {
         const uint64_t all = portion << 17 | i;

@@ -238,7 +238,8 @@ Result<fs::path> build_engine(const UnitDesc& desc, const Profile& profile, cons
     for (const std::string& name :
          Words{"tlm/engine.h", "testbench/cosim/random.h", "testbench/cosim/harness/harness.h",
                "testbench/cosim/harness/pacer.h", "testbench/cosim/harness/read_port.h",
-               "testbench/cosim/harness/sweep_line_inputs.h", unit_harness}) {
+               "testbench/cosim/harness/sat_port.h", "testbench/cosim/harness/sweep_line_inputs.h",
+               unit_harness}) {
         const Result<std::string> text = read_text(source_folder() / name);
         if (!text) return text.error();
         hash.add(*text);

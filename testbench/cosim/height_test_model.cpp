@@ -3,6 +3,7 @@
 
 #include "datapath/units/height_test.h"
 #include "testbench/cosim/height_test_cases.h"
+#include "testbench/cosim/raw_words.h"
 #include "testbench/cosim/table_pool.h"
 #include "testbench/cosim/unit_model.h"
 
@@ -22,11 +23,9 @@ public:
 
     void evaluate(const Scenario& scenario, std::vector<int64_t>& outputs) override {
         unit_.configure(unpack_registers(scenario.config), scenario.table->entries);
-        outputs.clear();
         HeightTestStats stats;
-        for (std::size_t i = 0; i < scenario.inputs.size(); i += inputs()) {
-            outputs.push_back(unit_(HeightTestIn::unpack(&scenario.inputs[i]), stats).sht);
-        }
+        answer_each(scenario, outputs,
+                    [&](const Word* in) { return unit_(HeightTestIn::unpack(in), stats).pack(); });
     }
 
     std::unique_ptr<UnitModel> with(const Profile& profile) const override {
@@ -59,9 +58,7 @@ private:
     Uv position(Random& random, const HeightTestRegisters& registers) const;
     int32_t coordinate(Random& random, int size, bool wrap) const;
     Uv other_end(Random& random, Uv u1, int max_edge) const;
-    int32_t clamp(int64_t x) const {
-        return static_cast<int32_t>(std::clamp(x, profile().uv.min_raw(), profile().uv.max_raw()));
-    }
+    int32_t clamp(int64_t x) const { return limited(profile().uv, x); }
 
     HeightTest unit_;
     mutable std::vector<std::shared_ptr<const Table>> pool_;  // built when first needed

@@ -146,6 +146,8 @@ Result<Outcome> run_icarus(const UnitModel& model, const fs::path& root,
                      "-g2012",
                      "-I",
                      root.string(),
+                     "-I",
+                     source_folder().string(),
                      "-s",
                      top,
                      "-o",
@@ -156,7 +158,7 @@ Result<Outcome> run_icarus(const UnitModel& model, const fs::path& root,
     for (const Parameter& p : parameters(model.desc(), model.profile())) {
         command.push_back(fmt::format("-P{}.{}={}", top, p.name, p.value));
     }
-    for (const char* file : {"replay_stream.sv", "replay_beats.sv", "replay_memory.sv"}) {
+    for (const char* file : {"replay_stream.sv", "replay_memory.sv"}) {
         command.push_back((replay / file).string());
     }
     command.push_back((replay / (top + ".sv")).string());

@@ -1,7 +1,8 @@
-#include <algorithm>
+#include <utility>
 
 #include "datapath/numbers/policy.h"
 #include "datapath/units/mid_vertex.h"
+#include "testbench/cosim/raw_words.h"
 #include "testbench/cosim/unit_model.h"
 
 namespace repousse::cosim {
@@ -22,11 +23,8 @@ public:
     Scenario exhaustive(uint64_t portion) const override;
 
     void evaluate(const Scenario& scenario, std::vector<int64_t>& outputs) override {
-        outputs.clear();
-        for (std::size_t i = 0; i < scenario.inputs.size(); i += inputs()) {
-            const MidVertexEnd mid = unit_(MidVertexIn::unpack(&scenario.inputs[i]));
-            for (const int64_t word : mid.pack()) outputs.push_back(word);
-        }
+        answer_each(scenario, outputs,
+                    [this](const Word* in) { return unit_(MidVertexIn::unpack(in)).pack(); });
     }
 
     std::unique_ptr<UnitModel> with(const Profile& profile) const override {
@@ -46,15 +44,8 @@ public:
 private:
     using Vector = Vec3<int32_t>;
     int32_t one() const { return 1 << profile().normal.frac; }
-    static int32_t any(Random& random, const Format& format) {
-        if (random.percent(5)) {
-            return static_cast<int32_t>(random.percent(50) ? format.min_raw() : format.max_raw());
-        }
-        return static_cast<int32_t>(random.between(format.min_raw(), format.max_raw()) >>
-                                    random.below(static_cast<uint32_t>(format.width)));
-    }
     static Vector any_vector(Random& random, const Format& format) {
-        return {any(random, format), any(random, format), any(random, format)};
+        return {any_raw(random, format), any_raw(random, format), any_raw(random, format)};
     }
     /// Both ends' tangents are their normals, turned.
     static void add(Scenario& s, MidVertexIn in) {
@@ -77,14 +68,11 @@ std::vector<Scenario> MidVertexModel::hard_cases() const {
         add(cases.back(), in);
     };
     const auto places = [&cases](int64_t a, int64_t b, const Format& uv, const Format& position) {
-        const auto limited = [](int64_t x, const Format& f) {
-            return static_cast<int32_t>(std::clamp(x, f.min_raw(), f.max_raw()));
-        };
         MidVertexIn in;
         for (std::size_t i = 0; i < 2; ++i) {
             const int64_t x = i == 0 ? a : b;
-            in.ends[i].u = {limited(x, uv), limited(~x, uv)};
-            in.ends[i].p = {limited(x, position), limited(~x, position), limited(x >> 1, position)};
+            in.ends[i].u = {limited(uv, x), limited(uv, ~x)};
+            in.ends[i].p = {limited(position, x), limited(position, ~x), limited(position, x >> 1)};
         }
         add(cases.back(), in);
     };
@@ -147,7 +135,7 @@ Scenario MidVertexModel::random(Random& random, std::size_t count) const {
     for (std::size_t i = 0; i < count; ++i) {
         MidVertexIn in;
         for (MidVertexEnd& end : in.ends) {
-            end.u = {any(random, profile().uv), any(random, profile().uv)};
+            end.u = {any_raw(random, profile().uv), any_raw(random, profile().uv)};
             end.generation = static_cast<uint8_t>(random.below(kMostGeneration + 1));
             end.p = any_vector(random, profile().position);
             end.n = any_vector(random, profile().normal);
@@ -156,9 +144,7 @@ Scenario MidVertexModel::random(Random& random, std::size_t count) const {
         }
         if (random.percent(20)) {  // opposite, but for an LSB now and then
             const Format& normal = profile().normal;
-            const auto limit = [&normal](int64_t x) {
-                return static_cast<int32_t>(std::clamp(x, normal.min_raw(), normal.max_raw()));
-            };
+            const auto limit = [&normal](int64_t x) { return limited(normal, x); };
             const Vector& n = in.ends[0].n;
             const int64_t d = random.between(-1, 1);
             in.ends[1].n = {limit(d - n.x), limit(-int64_t{n.y}), limit(-int64_t{n.z})};

@@ -3,6 +3,7 @@
 
 #include "datapath/numbers/policy.h"
 #include "datapath/units/normal_test.h"
+#include "testbench/cosim/raw_words.h"
 #include "testbench/cosim/unit_model.h"
 
 namespace repousse::cosim {
@@ -23,10 +24,8 @@ public:
     void evaluate(const Scenario& scenario, std::vector<int64_t>& outputs) override {
         unit_.configure(static_cast<int32_t>(scenario.config.at(0)),
                         scenario.config.at(1) != 0 ? NormalSpace::Map : NormalSpace::World);
-        outputs.clear();
-        for (std::size_t i = 0; i < scenario.inputs.size(); i += inputs()) {
-            outputs.push_back(unit_(NormalTestIn::unpack(&scenario.inputs[i])).nt);
-        }
+        answer_each(scenario, outputs,
+                    [this](const Word* in) { return unit_(NormalTestIn::unpack(in)).pack(); });
     }
 
     std::unique_ptr<UnitModel> with(const Profile& profile) const override {
@@ -62,10 +61,6 @@ private:
 
     NormalTest<Fixed> unit_;
 };
-
-int32_t limited(const Format& format, int64_t x) {
-    return static_cast<int32_t>(std::clamp(x, format.min_raw(), format.max_raw()));
-}
 
 std::vector<Scenario> NormalTestModel::hard_cases() const {
     std::vector<Scenario> cases;

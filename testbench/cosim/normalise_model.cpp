@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "datapath/numbers/policy.h"
 #include "datapath/units/normalise.h"
@@ -18,14 +19,11 @@ public:
     Scenario exhaustive(uint64_t portion) const override;
 
     void evaluate(const Scenario& scenario, std::vector<int64_t>& outputs) override {
-        outputs.clear();
-        for (std::size_t i = 0; i < scenario.inputs.size(); i += 3) {
-            const auto word = [&](std::size_t k) {
-                return static_cast<int32_t>(scenario.inputs[i + k]);
-            };
+        answer_each(scenario, outputs, [this](const Word* in) {
+            const auto word = [in](std::size_t k) { return static_cast<int32_t>(in[k]); };
             const Vec3<int32_t> unit = unit_({word(0), word(1), word(2)});
-            for (const int32_t component : {unit.x, unit.y, unit.z}) outputs.push_back(component);
-        }
+            return std::array<Word, 3>{unit.x, unit.y, unit.z};
+        });
     }
 
     std::unique_ptr<UnitModel> with(const Profile& profile) const override {

@@ -21,13 +21,12 @@ public:
 
     void evaluate(const Scenario& scenario, std::vector<int64_t>& outputs) override {
         unit_.configure(scenario.config.at(0) != 0);
-        outputs.clear();
-        Data data{};
-        for (std::size_t i = 0; i < scenario.inputs.size(); i += data.size()) {
-            std::transform(&scenario.inputs[i], &scenario.inputs[i] + data.size(), data.begin(),
-                           [](int64_t word) { return static_cast<int32_t>(word); });
-            for (const int64_t word : unit_.correct(data).pack()) outputs.push_back(word);
-        }
+        answer_each(scenario, outputs, [this](const Word* in) {
+            Data data{};
+            std::transform(in, in + data.size(), data.begin(),
+                           [](Word word) { return static_cast<int32_t>(word); });
+            return unit_.correct(data).pack();
+        });
     }
 
     std::unique_ptr<UnitModel> with(const Profile& profile) const override {

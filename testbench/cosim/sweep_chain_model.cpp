@@ -113,9 +113,7 @@ Scenario SweepChainModel::random(Random& random, std::size_t count) const {
     Scenario s{"random", {random.percent(1), random.percent(75)}, nullptr, {}};
     s.inputs.reserve(count * inputs());
     for (std::size_t i = 0; i < count; ++i) {
-        const bool is_far = random.below(8192) == 0;
-        SweepLineIn in =
-            item(is_far ? random_far_sliver(random) : random_sweep_triangle(random), random);
+        SweepLineIn in = item(any_sweep_triangle(random), random);
         if (random.below(64) == 0) in.triangle.step_limit = random.below(8);
         add(s, in);
     }
@@ -149,24 +147,11 @@ void SweepChainModel::evaluate(const Scenario& scenario, std::vector<int64_t>& o
     outputs.clear();
     perspective_.configure(scenario.config.at(1) != 0);
     SweepLine unit({profile().column_depth, {}});
-    SweepLineOut beat;
     for (std::size_t i = 0; i < scenario.inputs.size(); i += inputs()) {
         const SweepLineIn in = SweepLineIn::unpack(&scenario.inputs[i], profile());
-        const uint64_t before = unit.counters().runaways;
         vertices_.clear();
-        beat = {};
-        if (scenario.config.at(0) == 0) {
-            unit.load(in.triangle);
-            while (unit.step(beat.step)) {
-                beat.last = !unit.busy();
-                send(beat, outputs);
-            }
-        }
-        if (beat.last) continue;
-        beat = {};
-        beat.runaway = unit.counters().runaways != before;
-        beat.last = true;
-        send(beat, outputs);
+        sweep_beats(unit, in, scenario.config.at(0) != 0,
+                    [&](const SweepLineOut& beat) { send(beat, outputs); });
     }
 }
 

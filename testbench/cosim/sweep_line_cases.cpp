@@ -138,4 +138,8 @@ GridCorners random_sweep_triangle(Random& random) {
 
 GridCorners random_far_sliver(Random& random) { return thin(random, 4096); }
 
+GridCorners any_sweep_triangle(Random& random) {
+    return random.below(8192) == 0 ? random_far_sliver(random) : random_sweep_triangle(random);
+}
+
 }  // namespace repousse::cosim

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "datapath/sweep_line_ports.h"
+#include "datapath/units/sweep_line.h"
 #include "testbench/cosim/random.h"
 
 namespace repousse::cosim {
@@ -26,5 +28,28 @@ GridCorners random_sweep_triangle(Random& random);
 
 /// A sliver with corners up to +-4096: up to 25,000 fine triangles.
 GridCorners random_far_sliver(Random& random);
+
+/// One of both: a far sliver in 8192.
+GridCorners any_sweep_triangle(Random& random);
+
+/// Hands the beats that the sweep line makes of a base triangle to `send`. One that is aborted, or
+/// that it gives up, ends with an empty beat.
+template <class Send>
+void sweep_beats(SweepLine& unit, const SweepLineIn& in, bool aborted, const Send& send) {
+    const uint64_t before = unit.counters().runaways;
+    SweepLineOut beat;
+    if (!aborted) {
+        unit.load(in.triangle);
+        while (unit.step(beat.step)) {
+            beat.last = !unit.busy();
+            send(beat);
+        }
+    }
+    if (beat.last) return;
+    beat = {};
+    beat.runaway = unit.counters().runaways != before;
+    beat.last = true;
+    send(beat);
+}
 
 }  // namespace repousse::cosim

@@ -90,9 +90,7 @@ Scenario SweepLineModel::random(Random& random, std::size_t count) const {
     Scenario s{"random", {random.percent(1)}, nullptr, {}};
     s.inputs.reserve(count * inputs());
     for (std::size_t i = 0; i < count; ++i) {
-        const bool is_far = random.below(8192) == 0;
-        SweepLineIn in =
-            item(is_far ? random_far_sliver(random) : random_sweep_triangle(random), random);
+        SweepLineIn in = item(any_sweep_triangle(random), random);
         if (random.below(256) == 0) in.triangle.step_limit = random.below(8);
         add(s, in);
     }
@@ -117,27 +115,12 @@ Scenario SweepLineModel::exhaustive(uint64_t portion) const {
 void SweepLineModel::evaluate(const Scenario& scenario, std::vector<int64_t>& outputs) {
     outputs.clear();
     SweepLine unit({profile().column_depth, {}});
-    SweepLineOut out;
-    const auto send = [&] {
-        const std::vector<Word> words = out.pack(profile());
-        outputs.insert(outputs.end(), words.begin(), words.end());
-    };
     for (std::size_t i = 0; i < scenario.inputs.size(); i += inputs()) {
         const SweepLineIn in = SweepLineIn::unpack(&scenario.inputs[i], profile());
-        const uint64_t before = unit.counters().runaways;
-        out = {};
-        if (scenario.config.at(0) == 0) {
-            unit.load(in.triangle);
-            while (unit.step(out.step)) {
-                out.last = !unit.busy();
-                send();
-            }
-        }
-        if (out.last) continue;
-        out = {};
-        out.runaway = unit.counters().runaways != before;
-        out.last = true;
-        send();
+        sweep_beats(unit, in, scenario.config.at(0) != 0, [&](const SweepLineOut& beat) {
+            const std::vector<Word> words = beat.pack(profile());
+            outputs.insert(outputs.end(), words.begin(), words.end());
+        });
     }
 }
 

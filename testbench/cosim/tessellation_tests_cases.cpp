@@ -1,104 +1,16 @@
 #include "testbench/cosim/tessellation_tests_cases.h"
 
-#include <algorithm>
-#include <array>
-
-#include "datapath/pipelines/tessellation_tests.h"
+#include "testbench/cosim/edge_scenarios.h"
 #include "testbench/cosim/height_test_cases.h"
-#include "testbench/cosim/table_pool.h"
 
 namespace repousse::cosim {
 namespace {
 
-using TablePtr = std::shared_ptr<const Table>;
-using Registers = AdaptiveRegisters<Fixed>;
-using In = TessellationTestsIn;
-
-constexpr int kMapSize = 8;
-
-/// Writes scenarios. An edge stands in them from both sides.
-class CaseWriter {
-public:
-    explicit CaseWriter(const Profile& profile) : profile_(profile) {
-        Random random(2000);
-        const uint64_t most = (uint64_t{1} << profile.height.width) - 1;
-        map_ = prefix_sums(kMapSize, kMapSize, profile.sat_width,
-                           [&](int, int) { return random.next() & most; });
-    }
-
-    int32_t texel() const { return int32_t{1} << profile_.uv.frac; }
-    int64_t max_height() const { return (int64_t{1} << profile_.height.width) - 1; }
-
-    /// All four tests, with thresholds in the middle of what they measure.
-    Registers registers() const {
-        Registers r;
-        r.use_view_test = r.use_normal_test = r.use_height_test = true;
-        r.view_threshold = std::min<int64_t>(profile_.screen.max_raw(), 100);
-        r.normal_threshold = (1 << profile_.displaced_normal.frac) / 4 + 1;
-        r.height_test.width = r.height_test.height = kMapSize;
-        r.height_test.threshold = static_cast<uint64_t>(max_height() / 16);
-        return r;
-    }
-
-    /// The tests `view`, `normal`, `height` and no others.
-    Registers only(bool view, bool normal, bool height) const {
-        Registers r = registers();
-        r.use_view_test = view, r.use_normal_test = normal, r.use_height_test = height;
-        return r;
-    }
-
-    void begin(const std::string& name, const Registers& r) {
-        const auto config = pack_registers(r);
-        cases_.push_back({name, {config.begin(), config.end()}, map_, {}});
-    }
-
-    void edge(In in) {
-        cases_.back().add(in);
-        std::swap(in.u1, in.u2), std::swap(in.p1, in.p2);
-        std::swap(in.vertices[0], in.vertices[1]);
-        cases_.back().add(in);
-    }
-
-    /// An edge on the map and nothing else: no length on the screen, normals all alike.
-    In between(Uv u1, Uv u2) const {
-        In in;
-        in.u1 = u1, in.u2 = u2;
-        in.u12 = {(u1.x + u2.x) >> 1, (u1.y + u2.y) >> 1};
-        return in;
-    }
-
-    /// Edges of which the Tex Coord Test and, at `r`, the Summed Height Test say what is wanted.
-    In found(const Registers& r, bool ct, bool sht) const {
-        const TexcoordTest texcoord(profile_);
-        HeightTest height(profile_);
-        height.configure(r.height_test, map_->entries);
-        HeightTestStats stats;
-        Random random(11);
-        for (;;) {
-            const auto anywhere = [&] {
-                return static_cast<int32_t>(random.below(unsigned(kMapSize * texel())));
-            };
-            const Uv u1{anywhere(), anywhere()};
-            const int32_t reach = ct ? 3 * texel() : texel() / 2;
-            const In in = between(u1, {u1.x + int32_t(random.below(unsigned(reach))), u1.y});
-            if (texcoord(in.u1, in.u2, in.u12) == ct &&
-                height(in.u1, in.u2, in.u12, stats) == sht) {
-                return in;
-            }
-        }
-    }
-
-    const TablePtr& map() const { return map_; }
-    std::vector<Scenario> take() { return std::move(cases_); }
-
-private:
-    Profile profile_;
-    TablePtr map_;
-    std::vector<Scenario> cases_;
-};
+using Registers = EdgeScenarios::Registers;
+using In = EdgeScenarios::In;
 
 /// Each test with the others not used, on its threshold and one LSB beside it.
-void each_alone(CaseWriter& cases, const Profile& profile) {
+void each_alone(EdgeScenarios& cases, const Profile& profile) {
     const int32_t t = cases.texel();
     cases.begin("texcoord_alone", cases.only(false, false, false));
     for (const int32_t off : {-1, 0, 1}) {
@@ -155,7 +67,7 @@ void each_alone(CaseWriter& cases, const Profile& profile) {
 
 /// Every combination of what the four would say, of an edge that may be split and of one that may
 /// not, for all tests, eager tests, and without each of them.
-void every_result(CaseWriter& cases) {
+void every_result(EdgeScenarios& cases) {
     struct Use {
         const char* name;
         bool eager, view, normal, height;
@@ -182,13 +94,13 @@ void every_result(CaseWriter& cases) {
 }
 
 /// Long on the screen, on the map, and bent: all tests find it.
-In plain(const CaseWriter& cases, Uv u1, Uv u2) {
+In plain(const EdgeScenarios& cases, Uv u1, Uv u2) {
     In in = cases.between(u1, u2);
     in.p1.near = true;
     return in;
 }
 
-void seams(CaseWriter& cases) {
+void seams(EdgeScenarios& cases) {
     const int32_t t = cases.texel();
     Registers r = cases.registers();
     r.height_test.wrap = true;
@@ -205,7 +117,7 @@ void seams(CaseWriter& cases) {
     }
 }
 
-void borders(CaseWriter& cases, const Profile& profile) {
+void borders(EdgeScenarios& cases, const Profile& profile) {
     const int32_t t = cases.texel();
     const auto most = static_cast<int32_t>(profile.screen.max_raw());
     const auto least = static_cast<int32_t>(profile.screen.min_raw());
@@ -258,7 +170,7 @@ void borders(CaseWriter& cases, const Profile& profile) {
 
 /// Edges that read, edges that do not, and all the ways to be skipped, one after the other: the
 /// order is kept, whatever each costs.
-void mixed_pace(CaseWriter& cases) {
+void mixed_pace(EdgeScenarios& cases) {
     const int32_t t = cases.texel();
     const Registers r = cases.registers();
     cases.begin("mixed_pace", r);
@@ -275,7 +187,7 @@ void mixed_pace(CaseWriter& cases) {
 }  // namespace
 
 std::vector<Scenario> tessellation_tests_cases(const Profile& profile) {
-    CaseWriter cases(profile);
+    EdgeScenarios cases(profile);
     each_alone(cases, profile);
     every_result(cases);
     seams(cases);

@@ -30,11 +30,8 @@ public:
     void evaluate(const Scenario& scenario, std::vector<int64_t>& outputs) override {
         TessellationTests<Fixed> unit(profile(), unpack_registers(scenario.config.data()),
                                       scenario.table->entries);
-        outputs.clear();
-        for (std::size_t i = 0; i < scenario.inputs.size(); i += inputs()) {
-            const auto out = unit(TessellationTestsIn::unpack(&scenario.inputs[i])).pack();
-            outputs.insert(outputs.end(), out.begin(), out.end());
-        }
+        answer_each(scenario, outputs,
+                    [&](const Word* in) { return unit(TessellationTestsIn::unpack(in)).pack(); });
     }
 
     uint64_t icarus_weight() const override { return 4; }

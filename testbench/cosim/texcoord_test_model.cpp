@@ -16,10 +16,8 @@ public:
     Scenario exhaustive(uint64_t portion) const override;
 
     void evaluate(const Scenario& scenario, std::vector<int64_t>& outputs) override {
-        outputs.clear();
-        for (std::size_t i = 0; i < scenario.inputs.size(); i += inputs()) {
-            outputs.push_back(unit_(TexcoordTestIn::unpack(&scenario.inputs[i])).ct);
-        }
+        answer_each(scenario, outputs,
+                    [this](const Word* in) { return unit_(TexcoordTestIn::unpack(in)).pack(); });
     }
 
     std::unique_ptr<UnitModel> with(const Profile& profile) const override {

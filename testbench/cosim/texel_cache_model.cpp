@@ -38,13 +38,11 @@ public:
     /// The lines stay from one scenario to the next, as in the RTL: every scenario begins with an
     /// invalidation, because its table may be another one.
     void evaluate(const Scenario& scenario, std::vector<int64_t>& outputs) override {
-        outputs.clear();
-        for (std::size_t i = 0; i < scenario.inputs.size(); i += inputs()) {
-            const TexelCacheIn in = TexelCacheIn::unpack(&scenario.inputs[i]);
+        answer_each(scenario, outputs, [&](const Word* words) {
+            const TexelCacheIn in = TexelCacheIn::unpack(words);
             const auto word = scenario.table->entries[folded(in.address)];
-            const TexelCacheOut out{static_cast<uint32_t>(word), unit_(in)};
-            for (const int64_t w : out.pack()) outputs.push_back(w);
-        }
+            return TexelCacheOut{static_cast<uint32_t>(word), unit_(in)}.pack();
+        });
     }
 
     std::unique_ptr<UnitModel> with(const Profile& profile) const override {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "datapath/profile.h"
+#include "datapath/transaction.h"
 #include "datapath/unit_desc.h"
 #include "testbench/cosim/engine.h"
 #include "testbench/cosim/random.h"
@@ -78,6 +79,17 @@ public:
 
 protected:
     UnitModel(const Profile& profile, const UnitDesc& desc);
+
+    /// evaluate() of a unit that makes one beat of each item: `answer` turns a pointer to the
+    /// item's words into the beat's.
+    template <class Answer>
+    void answer_each(const Scenario& scenario, std::vector<int64_t>& outputs,
+                     const Answer& answer) const {
+        outputs.clear();
+        for (std::size_t i = 0; i < scenario.inputs.size(); i += inputs_) {
+            for (const Word word : answer(&scenario.inputs[i])) outputs.push_back(word);
+        }
+    }
 
 private:
     Profile profile_;

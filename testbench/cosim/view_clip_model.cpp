@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "datapath/numbers/policy.h"
@@ -33,13 +34,11 @@ public:
 
     void evaluate(const Scenario& scenario, std::vector<int64_t>& outputs) override {
         unit_.configure(registers(scenario.config));
-        outputs.clear();
-        for (std::size_t i = 0; i < scenario.inputs.size(); i += inputs()) {
-            const ViewClipIn in = ViewClipIn::unpack(&scenario.inputs[i]);
+        answer_each(scenario, outputs, [this](const Word* words) {
+            const ViewClipIn in = ViewClipIn::unpack(words);
             const unsigned outside = unit_.outside(in.corners, in.max_displacement);
-            outputs.push_back(outside != 0);
-            outputs.push_back(outside);
-        }
+            return std::array<Word, 2>{outside != 0, outside};
+        });
     }
 
     std::unique_ptr<UnitModel> with(const Profile& profile) const override {

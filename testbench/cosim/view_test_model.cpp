@@ -2,6 +2,7 @@
 
 #include "datapath/numbers/policy.h"
 #include "datapath/units/view_test.h"
+#include "testbench/cosim/raw_words.h"
 #include "testbench/cosim/unit_model.h"
 
 namespace repousse::cosim {
@@ -19,10 +20,8 @@ public:
 
     void evaluate(const Scenario& scenario, std::vector<int64_t>& outputs) override {
         unit_.configure(scenario.config.at(0));
-        outputs.clear();
-        for (std::size_t i = 0; i < scenario.inputs.size(); i += inputs()) {
-            outputs.push_back(unit_(ViewTestIn::unpack(&scenario.inputs[i])).vt);
-        }
+        answer_each(scenario, outputs,
+                    [this](const Word* in) { return unit_(ViewTestIn::unpack(in)).pack(); });
     }
 
     std::unique_ptr<UnitModel> with(const Profile& profile) const override {
@@ -43,9 +42,7 @@ private:
     int32_t most() const { return static_cast<int32_t>(profile().screen.max_raw()); }
     int32_t least() const { return static_cast<int32_t>(profile().screen.min_raw()); }
     int64_t max_threshold() const { return ViewTest<Fixed>::max_threshold(profile()); }
-    int32_t clamp(int64_t x) const {
-        return static_cast<int32_t>(std::clamp<int64_t>(x, least(), most()));
-    }
+    int32_t clamp(int64_t x) const { return limited(profile().screen, x); }
 
     ViewTest<Fixed> unit_;
 };

@@ -8,6 +8,7 @@
 #include "testbench/host/map/netcdf_reader.h"
 #include "testbench/host/map/npz_reader.h"
 #include "testbench/host/map/range_map.h"
+#include "testbench/host/map/variational_level.h"
 #include "testbench/host/mesh/mesh_reader.h"
 
 namespace repousse::study {

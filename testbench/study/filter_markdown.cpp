@@ -20,7 +20,8 @@ std::string introduction() {
                "*difference volume*, which is what lies between the level's surface and the "
                "full-resolution map, by moving all vertices against its derivative until it "
                "converges: \"in most cases reduced to about 70% of the initial value\".") +
-           "How it is meant here (`testbench/host/map/level_surface.h`, `filter_levels.h`):\n\n" +
+           "How it is meant here (`testbench/host/map/level_surface.h`, "
+           "`variational_level.h`):\n\n" +
            "- The surface is bilinear between the vertices, as the device's smooth reads are; it "
            "has no diagonal\n  to choose, and mirrored maps have mirrored levels. A vertex stands "
            "at its block's centre, found by\n  a shift of the texel coordinate; outside the "

@@ -10,6 +10,7 @@
 #include "datapath/units/triangle_setup.h"
 #include "testbench/host/mesh/procedural_mesh.h"
 #include "testbench/host/z_table.h"
+#include "testbench/study/closed_mesh.h"
 #include "testbench/study/sweep_mesh.h"
 #include "tlm/config/profile_reader.h"
 

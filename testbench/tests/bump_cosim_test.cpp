@@ -6,36 +6,18 @@
 
 #include <array>
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "datapath/units/bump_desc.h"
-#include "testbench/cosim/engine_builder.h"
-#include "testbench/cosim/session.h"
-#include "testbench/cosim/unit_model.h"
 #include "testbench/tests/support/mutant.h"
-#include "tlm/config/profile_reader.h"
+#include "testbench/tests/support/rtl_engine.h"
+#include "testbench/tests/support/rtl_passage.h"
 
 namespace repousse::cosim {
 namespace {
 
 namespace fs = std::filesystem;
-
-Engine engine_of(const UnitModel& model, const fs::path& root = source_folder()) {
-    const auto path = build_engine(model.desc(), model.profile(), root);
-    if (!path) throw std::runtime_error(path.error().message());
-    auto engine = Engine::open(*path, model.desc(), model.profile());
-    if (!engine) throw std::runtime_error(engine.error().message());
-    return *engine;
-}
-
-Effort effort(uint64_t vectors) {
-    Effort e;
-    e.vectors = vectors;
-    e.stalled_percent = 50;
-    return e;
-}
 
 Profile profile_of(const char* shipped, int bump_kind) {
     Profile profile = *shipped_profile(shipped);
@@ -54,8 +36,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, BumpRtl, testing::Values(0, 1, 2), kind_name);
 TEST_P(BumpRtl, HardVerticesAndRandomOnes) {
     for (const char* shipped : {"default", "narrow"}) {
         const auto model = make_unit_model("bump", profile_of(shipped, GetParam()));
-        const Outcome outcome =
-            run_random(*model, engine_of(*model), model->hard_cases(), effort(100'000), {});
+        const Outcome outcome = run_verilator(*model, 100'000);
         EXPECT_GE(outcome.cases, 100'000U);
         EXPECT_EQ(outcome.mismatches, 0U) << shipped << ": " << outcome.first_mismatch;
     }
@@ -71,18 +52,14 @@ TEST_P(BumpRtl, EveryVertexOfATinyProfile) {
 
 TEST_P(BumpRtl, InIcarus) {
     const auto model = make_unit_model("bump", profile_of("default", GetParam()));
-    const auto outcome = run_icarus(*model, source_folder(), model->hard_cases(), 1'000, 1);
-    ASSERT_TRUE(outcome.ok()) << outcome.error().message();
-    EXPECT_GE(outcome->cases, 1'000U);
-    EXPECT_EQ(outcome->mismatches, 0U) << outcome->first_mismatch;
+    expect_equal_in_icarus(*model, 1'000);
 }
 
 TEST_P(BumpRtl, NormalisedByCordic) {
     Profile profile = profile_of("default", GetParam());
     profile.normalise_kind = 1;
     const auto model = make_unit_model("bump", profile);
-    const Outcome outcome =
-        run_random(*model, engine_of(*model), model->hard_cases(), effort(20'000), {});
+    const Outcome outcome = run_verilator(*model, 20'000);
     EXPECT_EQ(outcome.mismatches, 0U) << outcome.first_mismatch;
 }
 
@@ -97,12 +74,8 @@ TEST_P(BumpRtl, TakesTheCyclesOfItsKind) {
         EngineInstance instance(engine_of(*model));
         instance.configure(first.config, first.table.get(), memory);
         constexpr std::size_t kCount = 200;
-        std::vector<int64_t> in(model->inputs() * kCount, 100), out(model->outputs() * kCount);
-        std::vector<uint64_t> accept(kCount), depart(kCount);
-        RepousseBatch batch = plain_batch(kCount, in.data(), out.data());
-        batch.accept = accept.data();
-        batch.depart = depart.data();
-        ASSERT_EQ(instance.run(batch), kRepousseDone);
+        const std::vector<int64_t> in(model->inputs() * kCount, 100);
+        const auto [out, accept, depart] = pass(instance, *model, in);
         EXPECT_EQ(depart[0] - accept[0], latency + memory - 1);
         for (std::size_t i = 50; i + 1 < kCount; ++i) {
             ASSERT_EQ(accept[i + 1] - accept[i], interval);
@@ -119,14 +92,10 @@ TEST(BumpRtlTiming, CapacityAndBackwardLatencyAreTheDescriptions) {
     instance.configure(first.config, first.table.get(), 1);
     const auto capacity = static_cast<std::size_t>(desc.capacity);
     const std::size_t count = capacity + 5;
-    std::vector<int64_t> in(model->inputs() * count, 100), out(model->outputs() * count);
-    std::vector<uint64_t> accept(count), ready(count, instance.cycle() + 1000);
-    RepousseBatch batch = plain_batch(count, in.data(), out.data());
-    batch.accept = accept.data();
-    batch.ready = ready.data();
-    ASSERT_EQ(instance.run(batch), kRepousseDone);
-    EXPECT_LT(accept[capacity - 1], ready[0]);
-    EXPECT_GE(accept[capacity], ready[0] + static_cast<uint64_t>(desc.backward_latency));
+    const std::vector<int64_t> in(model->inputs() * count, 100);
+    const auto accept = pass(instance, *model, in, {}, std::vector<uint64_t>(count, 1000)).accept;
+    EXPECT_LT(accept[capacity - 1], 1000U);
+    EXPECT_GE(accept[capacity], 1000 + static_cast<uint64_t>(desc.backward_latency));
 }
 
 TEST(BumpRtlSines, TablesOfAnySize) {
@@ -136,8 +105,7 @@ TEST(BumpRtlSines, TablesOfAnySize) {
         profile.sine_index_bits = index_bits;
         profile.angle.width = width, profile.angle.frac = frac;
         const auto model = make_unit_model("bump", profile);
-        const Outcome outcome =
-            run_random(*model, engine_of(*model), model->hard_cases(), effort(20'000), {});
+        const Outcome outcome = run_verilator(*model, 20'000);
         EXPECT_EQ(outcome.mismatches, 0U) << index_bits << ": " << outcome.first_mismatch;
     }
 }
@@ -147,7 +115,7 @@ TEST(BumpMutants, AreFound) {
         int kind;
         const char *file, *from, *to;
     } wrong[] = {
-        {0, "units/bump_place.sv", "(x >= whole) ? x - whole : x", "(x >= whole) ? whole - 1 : x"},
+        {0, "common/rp_map_coordinate.sv", "wrap ? raised - whole : whole - 1", "whole - 1"},
         {0, "units/bump_rotate.sv", "left ? second - first", "left ? first - second"},
         {0, "units/bump_rotate.sv", "frame ? $signed(d2[0*DW +: DW])",
          "1'b1 ? $signed(d2[0*DW +: DW])"},
@@ -162,8 +130,7 @@ TEST(BumpMutants, AreFound) {
     for (const auto& m : wrong) {
         const auto model = make_unit_model("bump", profile_of("default", m.kind));
         const Mutant mutant(m.file, m.from, m.to);
-        const Outcome outcome = run_random(*model, engine_of(*model, mutant.root()),
-                                           model->hard_cases(), effort(20'000), {});
+        const Outcome outcome = run_verilator(*model, 20'000, mutant.root());
         EXPECT_GT(outcome.mismatches, 0U) << m.from;
     }
 }

@@ -10,6 +10,7 @@
 #include "testbench/host/map/filter_levels.h"
 #include "testbench/host/map/npz_reader.h"
 #include "testbench/host/map/procedural_map.h"
+#include "testbench/host/map/variational_level.h"
 #include "testbench/study/filter.h"
 
 namespace repousse::study {

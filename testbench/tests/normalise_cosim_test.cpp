@@ -4,36 +4,18 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "datapath/units/normalise_desc.h"
-#include "testbench/cosim/engine_builder.h"
-#include "testbench/cosim/session.h"
-#include "testbench/cosim/unit_model.h"
 #include "testbench/tests/support/mutant.h"
-#include "tlm/config/profile_reader.h"
+#include "testbench/tests/support/rtl_engine.h"
+#include "testbench/tests/support/rtl_passage.h"
 
 namespace repousse::cosim {
 namespace {
 
 namespace fs = std::filesystem;
-
-Engine engine_of(const UnitModel& model, const fs::path& root = source_folder()) {
-    const auto path = build_engine(model.desc(), model.profile(), root);
-    if (!path) throw std::runtime_error(path.error().message());
-    auto engine = Engine::open(*path, model.desc(), model.profile());
-    if (!engine) throw std::runtime_error(engine.error().message());
-    return *engine;
-}
-
-Effort effort(uint64_t vectors) {
-    Effort e;
-    e.vectors = vectors;
-    e.stalled_percent = 50;
-    return e;
-}
 
 std::unique_ptr<UnitModel> model_of(const char* shipped, int kind) {
     Profile profile = *shipped_profile(shipped);
@@ -50,8 +32,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, NormaliseRtl, testing::Values(0, 1), [](const au
 TEST_P(NormaliseRtl, HardVectorsAndRandomOnes) {
     for (const char* shipped : {"default", "narrow"}) {
         const auto model = model_of(shipped, GetParam());
-        const Outcome outcome =
-            run_random(*model, engine_of(*model), model->hard_cases(), effort(200'000), {});
+        const Outcome outcome = run_verilator(*model, 200'000);
         EXPECT_GE(outcome.cases, 200'000U);
         EXPECT_EQ(outcome.mismatches, 0U) << shipped << ": " << outcome.first_mismatch;
     }
@@ -67,10 +48,7 @@ TEST_P(NormaliseRtl, EveryVectorOfATinyProfile) {
 
 TEST_P(NormaliseRtl, InIcarus) {
     const auto model = model_of("default", GetParam());
-    const auto outcome = run_icarus(*model, source_folder(), model->hard_cases(), 1'000, 1);
-    ASSERT_TRUE(outcome.ok()) << outcome.error().message();
-    EXPECT_GE(outcome->cases, 1'000U);
-    EXPECT_EQ(outcome->mismatches, 0U) << outcome->first_mismatch;
+    expect_equal_in_icarus(*model, 1'000);
 }
 
 TEST_P(NormaliseRtl, TakesTheLatencyOfItsKindAndAVectorACycle) {
@@ -80,12 +58,8 @@ TEST_P(NormaliseRtl, TakesTheLatencyOfItsKindAndAVectorACycle) {
     const auto latency =
         static_cast<uint64_t>(normalise_latency(GetParam(), model->profile().normal.frac));
     constexpr std::size_t kCount = 200;
-    std::vector<int64_t> in(3 * kCount, 1000), out(3 * kCount);
-    std::vector<uint64_t> accept(kCount), depart(kCount);
-    RepousseBatch batch = plain_batch(kCount, in.data(), out.data());
-    batch.accept = accept.data();
-    batch.depart = depart.data();
-    ASSERT_EQ(instance.run(batch), kRepousseDone);
+    const std::vector<int64_t> in(3 * kCount, 1000);
+    const auto [out, accept, depart] = pass(instance, *model, in);
     for (std::size_t i = 0; i < kCount; ++i) {
         ASSERT_EQ(depart[i] - accept[i], latency) << i;
         ASSERT_EQ(accept[i] - accept[0], i);
@@ -102,8 +76,7 @@ TEST(NormaliseRtlTables, OtherSeedsStepsAndWidths) {
         profile.inverse_sqrt_newton_steps = t.steps;
         profile.inverse_sqrt_bits = t.bits;
         const auto model = make_unit_model("normalise", profile);
-        const Outcome outcome =
-            run_random(*model, engine_of(*model), model->hard_cases(), effort(50'000), {});
+        const Outcome outcome = run_verilator(*model, 50'000);
         EXPECT_EQ(outcome.mismatches, 0U) << t.index_bits << ": " << outcome.first_mismatch;
     }
 }
@@ -121,8 +94,7 @@ TEST(NormaliseMutants, AreFound) {
     for (const auto& m : wrong) {
         const auto model = model_of("default", m.kind);
         const Mutant mutant(m.file, m.from, m.to);
-        const Outcome outcome = run_random(*model, engine_of(*model, mutant.root()),
-                                           model->hard_cases(), effort(100'000), {});
+        const Outcome outcome = run_verilator(*model, 100'000, mutant.root());
         EXPECT_GT(outcome.mismatches, 0U) << m.from;
     }
 }

@@ -54,10 +54,12 @@ TEST(SweepPlatform, WithNormals) {
 TEST(SweepPlatform, WithFilterLevels) {
     using host::LevelFilter;
     const Profile profile = test::profile_with("default", {});
-    expect_equal(profile, {test::level_draw(profile, LevelFilter::BoxMaximum),
-                           test::level_draw(profile, LevelFilter::Average, HeightFilter::Average),
-                           sweep_draw(profile, false, 4),
-                           test::level_draw(profile, LevelFilter::Variational)});
+    expect_equal(
+        profile,
+        {test::level_draw(profile, LevelFilter::BoxMaximum),
+         test::level_draw(profile, LevelFilter::Average, HeightFilter::Average),
+         sweep_draw(profile, false, 4), test::level_draw(profile, LevelFilter::Variational),
+         test::level_draw(profile, LevelFilter::Variational, HeightFilter::Maximum, kMostFiner)});
     const Profile narrow = test::profile_with("narrow", {});
     expect_equal(narrow, {test::level_draw(narrow, LevelFilter::BoxMaximum)});
 }
@@ -157,6 +159,7 @@ int bad_frames(const Profile& profile) {
          "a register is out of its range"},
         {[](auto& d) { d.map.width = 0; }, "a register is out of its range"},
         {[](auto& d) { d.map.last_level = 1; }, "a register is out of its range"},
+        {[](auto& d) { d.map.finer = 1; }, "a register is out of its range"},
         {[](auto& d) { d.map.filter = HeightFilter::Maximum; }, "needs a unit that was not built"},
         {[](auto& d) { d.triangles[7].vertices[2] = 36; }, "an index names no vertex"},
         {[](auto& d) { d.triangles.back().vertices[0] = 0xffffffff; }, "an index names no vertex"},

@@ -4,14 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "testbench/cosim/engine_builder.h"
 #include "testbench/cosim/table_pool.h"
-#include "testbench/cosim/unit_model.h"
-#include "tlm/config/profile_reader.h"
+#include "testbench/tests/support/rtl_engine.h"
+#include "testbench/tests/support/rtl_passage.h"
 
 namespace repousse::cosim {
 namespace {
@@ -20,7 +18,7 @@ namespace {
 class Probe {
 public:
     explicit Probe(const std::string& unit)
-        : model_(make_unit_model(unit, *shipped_profile("default"))), instance_(open(*model_)) {
+        : model_(model_of(unit)), instance_(engine_of(*model_)) {
         scenario_.inputs = {};
         scenario_.config = model_->hard_cases().at(0).config;
         if (unit == "view_test") scenario_.config = {100};
@@ -34,42 +32,28 @@ public:
     const UnitDesc& desc() const { return model_->desc(); }
     EngineInstance& instance() { return instance_; }
 
-    /// Runs `count` transactions, offered and taken from the given cycles on (both relative to the
-    /// present cycle; empty: at once). Fills accept and depart, relative too.
-    void run(std::size_t count, std::vector<uint64_t> offer, std::vector<uint64_t> ready,
-             bool skip = false) {
+    /// Runs `count` transactions, offered and taken from the given cycles on (see pass()). Fills
+    /// accept and depart.
+    void run(std::size_t count, const std::vector<uint64_t>& offer,
+             const std::vector<uint64_t>& ready, bool skip = false) {
         std::vector<int64_t> words = {skip, 0, 0, 1024, 512, 512, 256};
         words.resize(model_->inputs());
-        std::vector<int64_t> in;
-        for (std::size_t i = 0; i < count; ++i) in.insert(in.end(), words.begin(), words.end());
-        std::vector<int64_t> out(count * model_->outputs());
-        accept.assign(count, 0);
-        depart.assign(count, 0);
-        const uint64_t start = instance_.cycle();
-        for (uint64_t& t : offer) t += start;
-        for (uint64_t& t : ready) t += start;
-        RepousseBatch batch = plain_batch(count, in.data(), out.data());
-        batch.offer = offer.empty() ? nullptr : offer.data();
-        batch.ready = ready.empty() ? nullptr : ready.data();
-        batch.accept = accept.data();
-        batch.depart = depart.data();
-        ASSERT_EQ(instance_.run(batch), kRepousseDone);
-        for (uint64_t& t : accept) t -= start;
-        for (uint64_t& t : depart) t -= start;
+        Passage passage = pass(instance_, *model_, repeated(words, count), offer, ready);
+        accept = std::move(passage.accept);
+        depart = std::move(passage.depart);
+    }
+
+    /// Cycles between two transactions of these words, many of them in a row.
+    uint64_t interval(const std::vector<int64_t>& words) {
+        constexpr std::size_t kCount = 40;
+        const auto at = pass(instance_, *model_, repeated(words, kCount)).accept;
+        return at[kCount - 1] - at[kCount - 2];
     }
 
     std::vector<uint64_t> accept;
     std::vector<uint64_t> depart;
 
 private:
-    static Engine open(const UnitModel& model) {
-        const auto path = build_engine(model.desc(), model.profile(), source_folder());
-        if (!path) throw std::runtime_error(path.error().message());
-        auto engine = Engine::open(*path, model.desc(), model.profile());
-        if (!engine) throw std::runtime_error(engine.error().message());
-        return *engine;
-    }
-
     std::unique_ptr<UnitModel> model_;
     EngineInstance instance_;
     Scenario scenario_;
@@ -163,7 +147,7 @@ TEST(RtlTimingOf, DisplaceTakesAsManyCyclesAsItReads) {
     const Table map{4, 4, std::vector<uint64_t>(25, 5)};
     for (const int64_t filter : {2, 0, 1}) {
         const auto reads = filter == 1 ? uint64_t(desc.interval) : 1;
-        probe.instance().configure({4, 4, 0, filter, 0, 1 << 23, 40, 0}, &map, 1);
+        probe.instance().configure({4, 4, 0, filter, 0, 0, 1 << 23, 40, 0}, &map, 1);
         probe.run(1, {7}, {});
         EXPECT_EQ(probe.depart[0] - probe.accept[0], uint64_t(desc.latency - 4) + reads);
         probe.run(100, {}, {});
@@ -178,28 +162,28 @@ TEST(RtlTimingOf, DisplaceTakesAsManyCyclesAsItReads) {
 
 TEST(RtlTimingOf, DisplaceReadsATexelUnderAFootprintOnce) {
     Probe probe("displace");
-    const Table map{4, 4, std::vector<uint64_t>(25, 5)};
-    probe.instance().configure({4, 4, 0, 2, 0, 1 << 23, 40, 0}, &map, 1);
-    constexpr std::size_t kCount = 40;
-    const auto interval = [&](int64_t reach_x, int64_t reach_y) {
-        std::vector<int64_t> in, out(3 * kCount);
-        for (std::size_t i = 0; i < kCount; ++i) {
-            for (const int64_t word :
-                 {int64_t{0}, int64_t{0}, int64_t{0}, int64_t{0}, int64_t{0}, int64_t{0},
-                  int64_t{512}, int64_t{512}, reach_x, reach_y, int64_t{0}, int64_t{0}}) {
-                in.push_back(word);
-            }
-        }
-        std::vector<uint64_t> accept(kCount);
-        RepousseBatch batch = plain_batch(kCount, in.data(), out.data());
-        batch.accept = accept.data();
-        EXPECT_EQ(probe.instance().run(batch), kRepousseDone);
-        return accept[kCount - 1] - accept[kCount - 2];
+    const Table map{8, 8, std::vector<uint64_t>(81, 5)};
+    const auto finer = [&](int64_t levels) {
+        probe.instance().configure({8, 8, 0, 2, levels, 0, 1 << 23, 40, 0}, &map, 1);
     };
+    const auto interval = [&](int64_t reach_x, int64_t reach_y) {
+        return probe.interval({0, 0, 0, 0, 0, 0, 1024, 1024, reach_x, reach_y, 0, 0});
+    };
+    finer(0);
     EXPECT_EQ(interval(0, 0), 1U);
     EXPECT_EQ(interval(128, 0), 2U);
     EXPECT_EQ(interval(0, 128), 2U);
     EXPECT_EQ(interval(128, 128), 4U);
+    EXPECT_EQ(interval(512, 512), 4U);
+    finer(1);  // U is 4 texels; half a texel around it are two texels, one texel around it three
+    EXPECT_EQ(interval(0, 0), 1U);
+    EXPECT_EQ(interval(128, 0), 2U);
+    EXPECT_EQ(interval(256, 128), 6U);
+    EXPECT_EQ(interval(512, 512), 9U);
+    finer(2);
+    EXPECT_EQ(interval(128, 0), 2U);
+    EXPECT_EQ(interval(512, 256), 15U);
+    EXPECT_EQ(interval(512, 512), 25U);
 }
 
 TEST(RtlTimingOf, HeightTestTakesAsManyCyclesAsItReads) {
@@ -207,19 +191,9 @@ TEST(RtlTimingOf, HeightTestTakesAsManyCyclesAsItReads) {
     Probe probe("height_test");
     const auto table = prefix_sums(16, 16, 38, [](int x, int y) { return x * y; });
     probe.instance().configure({16, 16, 1, 0, 0, 100}, table.get(), 1);
-    const auto interval = [&](std::vector<int64_t> words) {
-        constexpr std::size_t kCount = 40;
-        std::vector<int64_t> in, out(kCount);
-        for (std::size_t i = 0; i < kCount; ++i) in.insert(in.end(), words.begin(), words.end());
-        std::vector<uint64_t> accept(kCount);
-        RepousseBatch batch = plain_batch(kCount, in.data(), out.data());
-        batch.accept = accept.data();
-        EXPECT_EQ(probe.instance().run(batch), kRepousseDone);
-        return accept[kCount - 1] - accept[kCount - 2];
-    };
-    EXPECT_EQ(interval({0, 1024, 1024, 2048, 2048, 1536, 1536}), 4U);
-    EXPECT_EQ(interval({0, 0, 1024, 2048, 1024, 1024, 1024}), 6U);
-    EXPECT_EQ(interval({0, 0, 0, 2048, 2048, 1024, 1024}), 9U);
+    EXPECT_EQ(probe.interval({0, 1024, 1024, 2048, 2048, 1536, 1536}), 4U);
+    EXPECT_EQ(probe.interval({0, 0, 1024, 2048, 1024, 1024, 1024}), 6U);
+    EXPECT_EQ(probe.interval({0, 0, 0, 2048, 2048, 1024, 1024}), 9U);
 }
 
 }  // namespace

@@ -5,17 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <stdexcept>
 #include <string>
 
 #include "datapath/sweep_line_ports.h"
 #include "datapath/units/triangle_setup.h"
-#include "testbench/cosim/engine_builder.h"
-#include "testbench/cosim/session.h"
 #include "testbench/cosim/sweep_line_cases.h"
-#include "testbench/cosim/unit_model.h"
 #include "testbench/tests/support/mutant.h"
-#include "tlm/config/profile_reader.h"
+#include "testbench/tests/support/rtl_engine.h"
 
 namespace repousse::cosim {
 namespace {
@@ -39,19 +35,10 @@ std::unique_ptr<UnitModel> model_of(const Build& build) {
     return make_unit_model("sweep_line", profile);
 }
 
-Engine engine_of(const UnitModel& model, const std::filesystem::path& root = source_folder()) {
-    const auto path = build_engine(model.desc(), model.profile(), root);
-    if (!path) throw std::runtime_error(path.error().message());
-    auto engine = Engine::open(*path, model.desc(), model.profile());
-    if (!engine) throw std::runtime_error(engine.error().message());
-    return *engine;
-}
-
-Effort effort(uint64_t vectors) {
-    Effort e;
-    e.vectors = vectors;
-    e.stalled_percent = 30;
-    return e;
+/// As run_verilator(), with fewer of the batches stalled.
+Outcome run(const UnitModel& model, uint64_t vectors,
+            const std::filesystem::path& root = source_folder()) {
+    return run_random(model, engine_of(model, root), model.hard_cases(), effort(vectors, 30), {});
 }
 
 class SweepEquivalence : public testing::TestWithParam<Build> {};
@@ -65,8 +52,7 @@ INSTANTIATE_TEST_SUITE_P(Builds, SweepEquivalence,
 
 TEST_P(SweepEquivalence, HardCasesAndRandomOnesInVerilator) {
     const auto model = model_of(GetParam());
-    const Outcome outcome =
-        run_random(*model, engine_of(*model), model->hard_cases(), effort(GetParam().vectors), {});
+    const Outcome outcome = run(*model, GetParam().vectors);
     EXPECT_GE(outcome.cases, GetParam().vectors);
     EXPECT_EQ(outcome.mismatches, 0U) << outcome.first_mismatch;
     std::printf("%s: %llu base triangles, %.0f a second\n", GetParam().name,
@@ -92,15 +78,14 @@ TEST(SweepRtl, SliversAcrossTheWholeGrid) {
             setup(corners, in.triangle);
             scenarios.push_back({"far sliver", {0}, nullptr, in.pack(model->profile())});
         }
-        const Outcome outcome = run_random(*model, engine_of(*model), scenarios, effort(0), {});
+        const Outcome outcome = run_random(*model, engine_of(*model), scenarios, effort(0, 30), {});
         EXPECT_EQ(outcome.mismatches, 0U) << outcome.first_mismatch;
     }
 }
 
 TEST(SweepRtl, NarrowProfile) {
-    const auto model = make_unit_model("sweep_line", *shipped_profile("narrow"));
-    const Outcome outcome =
-        run_random(*model, engine_of(*model), model->hard_cases(), effort(2'000), {});
+    const auto model = cosim::model_of("sweep_line", "narrow");
+    const Outcome outcome = run(*model, 2'000);
     EXPECT_EQ(outcome.mismatches, 0U) << outcome.first_mismatch;
 }
 
@@ -114,32 +99,27 @@ TEST(SweepRtl, HardCasesAndRandomOnesInIcarus) {
     }
 }
 
-struct Mistake {
-    const char *name, *file, *from, *to;
-};
-
-class SweepMistakes : public testing::TestWithParam<Mistake> {};
+class SweepMistakes : public testing::TestWithParam<Mutation> {};
 
 INSTANTIATE_TEST_SUITE_P(
     Rtl, SweepMistakes,
-    testing::Values(Mistake{"DragsOnlyOntoTheRow", "units/sweep_line_step.sv",
-                            "edge_in_left & $signed(row_e) <= $signed(left_up)",
-                            "edge_in_left & $signed(row_e) == $signed(left_up)"},
-                    Mistake{"ForgetsTheOtherEdge", "units/sweep_line_halves.sv",
-                            "this_half[3] | this_half[1]", "this_half[3]"},
-                    Mistake{"CarriesTooLate", "units/sweep_line_adder.sv", "~other[RW+1]",
-                            "~other[RW+1] & other != '0"},
-                    Mistake{"PreparesTheWrongBase", "units/sweep_line_two.sv",
-                            ".b(next_crosses ? slant : sweep_step)",
-                            ".b(next_crosses ? sweep_step : slant)"}),
+    testing::Values(Mutation{"DragsOnlyOntoTheRow", "sweep_line", "units/sweep_line_step.sv",
+                             "edge_in_left & $signed(row_e) <= $signed(left_up)",
+                             "edge_in_left & $signed(row_e) == $signed(left_up)"},
+                    Mutation{"ForgetsTheOtherEdge", "sweep_line", "units/sweep_line_halves.sv",
+                             "this_half[3] | this_half[1]", "this_half[3]"},
+                    Mutation{"CarriesTooLate", "sweep_line", "units/sweep_line_adder.sv",
+                             "~other[RW+1]", "~other[RW+1] & other != '0"},
+                    Mutation{"PreparesTheWrongBase", "sweep_line", "units/sweep_line_two.sv",
+                             ".b(next_crosses ? slant : sweep_step)",
+                             ".b(next_crosses ? sweep_step : slant)"}),
     [](const auto& mistake) { return mistake.param.name; });
 
 TEST_P(SweepMistakes, AreFound) {
-    const Mistake& m = GetParam();
+    const Mutation& m = GetParam();
     const auto model = model_of(kTwoLanes);
-    const Mutant mutant(m.file, m.from, m.to);
-    const Outcome outcome = run_random(*model, engine_of(*model, mutant.root()),
-                                       model->hard_cases(), effort(2'000), {});
+    const Mutant mutant(m);
+    const Outcome outcome = run(*model, 2'000, mutant.root());
     EXPECT_GT(outcome.mismatches, 0U);
     for (const char* part : {"sweep_line: transaction ", ", beat ", ", cycle ", ", field ",
                              ": engine 0x", ", datapath 0x", " LSB; with ", "determinant=0x"}) {

@@ -211,14 +211,8 @@ TEST(SweepLine, RunawayIsStoppedAndReported) {
 SweepLineCounters flat(int size, int column_depth, int count) {
     std::mt19937_64 random(5);
     SweepChain chain(lanes(column_depth), {AdderKind::Exact, 0, 0});
-    for (int n = 0; n < count; ++n) {
-        GridTriangle t{};
-        for (auto& p : t) {
-            for (std::size_t axis = 0; axis < 2; ++axis)
-                p[axis] = int(random() % unsigned(size + 1));
-        }
-        chain.remesh(test::corners_of(t));
-    }
+    for (int n = 0; n < count; ++n)
+        chain.remesh(test::corners_of(test::flat_triangle(size, random)));
     EXPECT_FALSE(chain.strip.bad_ref());
     return chain.sweep.counters();
 }

@@ -1,201 +1,23 @@
-// Sweep-line remeshing as a whole: from an object to fine triangles.
+// Sweep-line remeshing as a pipeline: its arithmetic, what becomes of each base triangle, and the
+// draw that the host makes of an object. That nothing is left open is in sweep_whole_test.
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "datapath/pipelines/sweep.h"
-#include "testbench/host/map/procedural_map.h"
-#include "testbench/host/mesh/procedural_mesh.h"
-#include "testbench/host/scene/assets.h"
-#include "testbench/host/sweep_draw.h"
-#include "testbench/host/sweep_judge.h"
-#include "testbench/tests/support/profiles.h"
+#include "testbench/tests/support/sweep_object.h"
 #include "testbench/tests/support/whole_triangles.h"
 
 namespace repousse {
 namespace {
 
-const Profile& default_profile() {
-    static const Profile profile = test::profile_with("default", {});
-    return profile;
-}
-
-/// An object in front of a camera of 200 x 160 pixels at (0, -3, 1).
-struct Object {
-    explicit Object(host::Mesh m) : mesh(std::move(m)) {
-        host::FbmSettings fbm;
-        fbm.wrap = true;
-        map = host::make_fbm_map(64, 64, fbm);
-        map.wrap = true;
-        map.range_low = -0.05;
-        map.range_high = 0.15;
-        inputs.method = host::Method::Sweep;
-        inputs.filter = HeightFilter::Bilinear;
-        inputs.viewport = {200, 160};
-        inputs.camera.eye = {0.0, -3.0, 1.0};
-        inputs.camera.near = 0.05;
-        inputs.bump = true;
-    }
-
-    const host::DrawInputs& ready() {
-        inputs.mesh = &mesh;
-        inputs.map = &map;
-        inputs.uv = host::UvSpan::Edges;
-        inputs.texel_size = host::texel_size(mesh, map, inputs.uv);
-        inputs.view = host::view_frame(inputs.camera, inputs.viewport);
-        return inputs;
-    }
-
-    template <class P>
-    SweepDraw<P> draw(const Profile& profile) {
-        auto made = host::make_sweep_draw<P>(profile, ready());
-        EXPECT_TRUE(made.ok()) << made.error().message();
-        return std::move(*made);
-    }
-
-    host::Mesh mesh;
-    host::HeightMap map;
-    host::DrawInputs inputs;
-};
-
-template <class P>
-SweepMesh<P> run(SweepPipeline<P>& pipeline) {
-    SweepMesh<P> out;
-    EXPECT_TRUE(pipeline.run(out));
-    return out;
-}
-
-template <class P>
-SweepMesh<P> remesh(const Profile& profile, const SweepDraw<P>& draw) {
-    SweepPipeline<P> pipeline(profile, draw);
-    auto out = run(pipeline);
-    const SweepCounters counters = pipeline.counters();
-    EXPECT_EQ(counters.triangle_buffer.triangles, out.triangles.size());
-    EXPECT_EQ(counters.strip.bad_refs, 0u);
-    EXPECT_EQ(counters.sweep_line.displaced, counters.displace.items);
-    return out;
-}
-
-template <class P>
-host::SweepInvariants judge(const Profile& profile, Object& object) {
-    const SweepDraw<P> draw = object.draw<P>(profile);
-    const auto out = remesh(profile, draw);
-    EXPECT_FALSE(out.triangles.empty());
-    return host::SweepJudge<P>(profile, draw, object.mesh).judge(out);
-}
-
-void expect_whole(const host::SweepInvariants& found) {
-    EXPECT_EQ(found.open_edges, 0u);
-    EXPECT_EQ(found.cracked, 0u);
-    EXPECT_EQ(found.degenerate, 0u);
-    EXPECT_EQ(found.uncovered, 0u);
-}
-
-host::Mesh tilted_grid(int quads) {
-    host::Mesh mesh = host::make_grid(quads, quads, {2.0, 2.0});
-    for (glm::dvec3& p : mesh.positions) p -= glm::dvec3(1.0, 1.0, 0.0);
-    return mesh;
-}
-
-TEST(SweepPipeline, IsWholeOnEveryMesh) {
-    const Profile profile = default_profile();
-    const Profile real = host::reference_profile(profile);
-    for (const host::Mesh& mesh :
-         {tilted_grid(1), tilted_grid(5), host::make_cylinder(8, 2, 0.5, 1.5),
-          host::make_cylinder(40, 20, 0.5, 1.5), host::make_icosphere(0, 1.0)}) {
-        Object object(mesh);
-        expect_whole(judge<Fixed>(profile, object));
-        expect_whole(judge<Real>(real, object));
-    }
-}
-
-// The cylinder's map turns once: both sides of the seam read the same texels.
-TEST(SweepPipeline, ASeamOfAPeriodicMapIsClosed) {
-    Object object(host::make_cylinder(8, 2, 0.5, 1.5));
-    EXPECT_EQ(judge<Fixed>(default_profile(), object).seam_cracked, 0u);
-    object.map.wrap = false;
-    EXPECT_GT(judge<Fixed>(default_profile(), object).seam_cracked, 0u);
-}
-
-TEST(SweepPipeline, IsWholeWithTheEyeInside) {
-    Object object(host::make_icosphere(1, 1.0));
-    object.inputs.camera.eye = {0.2, -0.1, 0.1};
-    object.inputs.camera.target = {1.0, 0.2, 0.0};
-    object.inputs.sweep.guard_grid = 80;
-    object.inputs.sweep.clip = false;
-    expect_whole(judge<Fixed>(default_profile(), object));
-}
-
-// What is clipped away has no neighbours to open.
-TEST(SweepPipeline, IsWholeWherePartIsClipped) {
-    Object object(tilted_grid(16));
-    object.inputs.camera.fov_deg = 12.0;
-    expect_whole(judge<Fixed>(default_profile(), object));
-    const SweepDraw<Fixed> draw = object.draw<Fixed>(default_profile());
-    SweepPipeline<Fixed> pipeline(default_profile(), draw);
-    run(pipeline);
-    EXPECT_GT(pipeline.counters().view_clip->rejected, 100u);
-    EXPECT_EQ(pipeline.counters().view_clip->items, 512u);
-    EXPECT_EQ(pipeline.counters().triangle_buffer.empty, pipeline.counters().view_clip->rejected);
-}
-
-// A triangle with many times the vertices that are kept at once, and columns above the FIFO.
-TEST(SweepPipeline, IsWholeOnALargeTriangle) {
-    Object object(tilted_grid(1));
-    object.inputs.viewport = {640, 480};
-    const SweepDraw<Fixed> draw = object.draw<Fixed>(default_profile());
-    const auto out = remesh(default_profile(), draw);
-    EXPECT_GT(out.triangles.size(), 50000u);
-    expect_whole(host::SweepJudge<Fixed>(default_profile(), draw, object.mesh).judge(out));
-}
-
-// Kinds of adder differ in data alone: plain ones crack, and the judge sees it.
-TEST(SweepPipeline, PlainAddersCrack) {
-    Object object(host::make_icosphere(2, 1.0));
-    for (const int kind : {0, 1, 2}) {
-        Profile profile = default_profile();
-        profile.adder_kind = kind;
-        const host::SweepInvariants found = judge<Fixed>(profile, object);
-        EXPECT_EQ(found.open_edges, 0u) << kind;
-        EXPECT_EQ(found.uncovered, 0u) << kind;
-        if (kind == 0) {
-            EXPECT_GT(found.cracked, 100u);
-        } else {
-            EXPECT_EQ(found.cracked, 0u) << kind;
-        }
-    }
-}
-
-// A judge that never says no is none.
-TEST(SweepJudge, SeesWhatIsBroken) {
-    Object object(host::make_icosphere(1, 1.0));
-    const SweepDraw<Fixed> draw = object.draw<Fixed>(default_profile());
-    const auto good = remesh(default_profile(), draw);
-    host::SweepJudge<Fixed> judge(default_profile(), draw, object.mesh);
-    expect_whole(judge.judge(good));
-
-    auto hole = good;
-    hole.triangles.erase(hole.triangles.begin() + 700);
-    EXPECT_EQ(judge.judge(hole).open_edges, 3u);
-    EXPECT_EQ(judge.judge(hole).uncovered, 1u);
-
-    auto twice = good;
-    twice.triangles.insert(twice.triangles.begin() + 700, good.triangles[700]);
-    EXPECT_GE(judge.judge(twice).open_edges, 3u);
-    EXPECT_EQ(judge.judge(twice).uncovered, 1u);
-
-    auto moved = good;
-    moved.vertices.push_back(moved.corner(moved.triangles[700], 1));
-    ++moved.vertices.back().displaced.y;
-    moved.triangles[700].vertices[1] = static_cast<uint32_t>(moved.vertices.size() - 1);
-    EXPECT_EQ(judge.judge(moved).cracked, 1u);
-
-    auto turned = good;
-    std::swap(turned.triangles[700].vertices[0], turned.triangles[700].vertices[1]);
-    EXPECT_EQ(judge.judge(turned).degenerate, 1u);
-}
+using test::default_profile;
+using test::expect_whole;
+using test::remesh;
+using test::run;
+using test::tilted_grid;
+using Object = test::SweepObject;
 
 // Bit-accurate arithmetic against doubles in closed form, vertex by vertex.
 TEST(SweepPipeline, FixedFollowsReal) {
@@ -229,42 +51,6 @@ TEST(SweepPipeline, FixedFollowsReal) {
     // A step of 2^-8 texels moves the height by 2^-8 of the steepest slope, 0.02 a texel.
     EXPECT_LT(worst_place, 3e-4);
     EXPECT_LT(worst_normal, 2e-3);
-}
-
-// Filter levels: whole at both levels of detail, which choose the same level but for rounding at
-// its border.
-TEST(SweepPipeline, IsWholeWithFilterLevels) {
-    const Profile profile = default_profile();
-    const Profile real = host::reference_profile(profile);
-    for (const host::LevelFilter levels :
-         {host::LevelFilter::BoxMaximum, host::LevelFilter::Average}) {
-        Object object(tilted_grid(5));
-        object.inputs.bump = false;
-        object.inputs.levels = levels;
-        object.inputs.filter = HeightFilter::Maximum;
-        object.inputs.sweep.coarseness_px = 3;
-        expect_whole(judge<Fixed>(profile, object));
-        expect_whole(judge<Real>(real, object));
-        const auto fixed_draw = object.draw<Fixed>(profile);
-        const auto real_draw = object.draw<Real>(real);
-        SweepPipeline<Fixed> fixed_pipeline(profile, fixed_draw);
-        SweepPipeline<Real> real_pipeline(real, real_draw);
-        const auto fixed_mesh = run(fixed_pipeline);
-        const auto real_mesh = run(real_pipeline);
-        ASSERT_EQ(fixed_mesh.vertices.size(), real_mesh.vertices.size());
-        const FootprintCounters f = *fixed_pipeline.counters().footprint;
-        const FootprintCounters r = *real_pipeline.counters().footprint;
-        EXPECT_EQ(f.items, r.items);
-        EXPECT_EQ(f.cut, 0u);
-        uint64_t moved = 0;
-        std::size_t used = 0;
-        for (std::size_t l = 0; l < f.levels.size(); ++l) {
-            moved += std::max(f.levels[l], r.levels[l]) - std::min(f.levels[l], r.levels[l]);
-            used += f.levels[l] > f.items / 100;
-        }
-        EXPECT_GE(used, 3u);
-        EXPECT_LT(moved, f.items / 100);
-    }
 }
 
 TEST(SweepPipeline, CoarserGridsHaveFewerTriangles) {

@@ -15,6 +15,7 @@
 #include "testbench/host/mesh/mesh_check.h"
 #include "testbench/host/mesh/mesh_reader.h"
 #include "testbench/host/mesh/procedural_mesh.h"
+#include "testbench/study/closed_mesh.h"
 #include "testbench/study/sweep_mesh.h"
 #include "testbench/tests/support/profiles.h"
 

@@ -4,36 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "testbench/cosim/engine_builder.h"
-#include "testbench/cosim/session.h"
 #include "testbench/tests/support/mutant.h"
-#include "tlm/config/profile_reader.h"
+#include "testbench/tests/support/rtl_engine.h"
+#include "testbench/tests/support/rtl_passage.h"
 
 namespace repousse::cosim {
 namespace {
-
-std::unique_ptr<UnitModel> model_of(const std::string& unit, const char* profile = "default") {
-    return make_unit_model(unit, *shipped_profile(profile));
-}
-
-Engine engine_of(const UnitModel& model, const std::filesystem::path& root = source_folder()) {
-    const auto path = build_engine(model.desc(), model.profile(), root);
-    if (!path) throw std::runtime_error(path.error().message());
-    auto engine = Engine::open(*path, model.desc(), model.profile());
-    if (!engine) throw std::runtime_error(engine.error().message());
-    return *engine;
-}
-
-Effort effort(uint64_t vectors) {
-    Effort e;
-    e.vectors = vectors;
-    e.stalled_percent = 50;
-    return e;
-}
 
 class TessellationRtl : public testing::TestWithParam<std::string> {};
 
@@ -43,8 +22,7 @@ INSTANTIATE_TEST_SUITE_P(Units, TessellationRtl, testing::Values("edge_iter", "s
 TEST_P(TessellationRtl, HardCasesAndRandomOnes) {
     for (const char* profile : {"default", "narrow"}) {
         const auto model = model_of(GetParam(), profile);
-        const Outcome outcome =
-            run_random(*model, engine_of(*model), model->hard_cases(), effort(200'000), {});
+        const Outcome outcome = run_verilator(*model, 200'000);
         EXPECT_GE(outcome.cases, 200'000U);
         EXPECT_EQ(outcome.mismatches, 0U) << profile << ": " << outcome.first_mismatch;
     }
@@ -61,10 +39,7 @@ TEST_P(TessellationRtl, EveryTransactionOfATinyProfile) {
 
 TEST_P(TessellationRtl, InIcarus) {
     const auto model = model_of(GetParam());
-    const auto outcome = run_icarus(*model, source_folder(), model->hard_cases(), 5'000, 1);
-    ASSERT_TRUE(outcome.ok()) << outcome.error().message();
-    EXPECT_GE(outcome->cases, 5'000U);
-    EXPECT_EQ(outcome->mismatches, 0U) << outcome->first_mismatch;
+    expect_equal_in_icarus(*model, 5'000);
 }
 
 /// A pipe of `latency - 1` stages (none for edge_iter) in front of rp_expand, with
@@ -79,23 +54,11 @@ TEST_P(TessellationRtl, AcceptAndDepartureCyclesFollowTheRecurrence) {
     model->evaluate(scenario, expected);
     const std::size_t beats = expected.size() / model->outputs();
 
-    std::vector<uint64_t> offer(kCount), ready(beats), accept(kCount), depart(beats);
-    uint64_t v = 0, r = 0, out_beats = 0;
-    for (uint64_t& t : offer) t = v += random.percent(60) ? 1 : 1 + random.below(16);
-    for (uint64_t& t : ready) t = r += random.percent(60) ? 1 : random.below(12);
-    std::vector<int64_t> out(expected.size());
-    RepousseBatch batch = plain_batch(kCount, scenario.inputs.data(), out.data());
-    batch.capacity = beats;
-    batch.beats = &out_beats;
-    batch.offer = offer.data(), batch.ready = ready.data();
-    batch.accept = accept.data(), batch.depart = depart.data();
+    const std::vector<uint64_t> offer = random_cycles(random, kCount, 1, 16);
+    const std::vector<uint64_t> ready = random_cycles(random, beats, 0, 12);
     instance.configure(scenario.config, nullptr, 1);
-    const uint64_t start = instance.cycle();
-    for (auto* cycles : {&offer, &ready}) {
-        for (uint64_t& t : *cycles) t += start;
-    }
-    ASSERT_EQ(instance.run(batch), kRepousseDone);
-    ASSERT_EQ(out_beats, beats);
+    const auto [out, accept, depart] = pass(instance, *model, scenario.inputs, offer, ready, beats);
+    EXPECT_EQ(out, expected);
 
     const auto pipe = static_cast<std::size_t>(model->desc().latency - 1);
     std::vector<uint64_t> into(kCount);  // the cycle in which an item enters rp_expand
@@ -129,31 +92,16 @@ TEST_P(TessellationRtl, CapacityAndInterval) {
     if (GetParam() == "split") std::fill_n(item.begin(), 5, 7);
     const std::size_t most = GetParam() == "split" ? 4 : 3;
     constexpr std::size_t kCount = 20;
-    std::vector<int64_t> in, out(kCount * most * model->outputs());
-    for (std::size_t i = 0; i < kCount; ++i) in.insert(in.end(), item.begin(), item.end());
-    std::vector<uint64_t> accept(kCount), ready(kCount * most, 1000);
-    RepousseBatch batch = plain_batch(kCount, in.data(), out.data());
-    uint64_t beats = 0;
-    batch.capacity = kCount * most;
-    batch.beats = &beats;
-    batch.accept = accept.data();
-    batch.ready = ready.data();
+    const std::size_t beats = kCount * most;
     instance.configure({1}, nullptr, 1);
-    ASSERT_EQ(instance.run(batch), kRepousseDone);
-    EXPECT_EQ(beats, kCount * most);
+    const std::vector<uint64_t> accept = pass(instance, *model, repeated(item, kCount), {},
+                                              std::vector<uint64_t>(beats, 1000), beats)
+                                             .accept;
     const auto capacity = static_cast<std::size_t>(model->desc().capacity);
     EXPECT_LT(accept[capacity - 1], 1000U);
     EXPECT_GE(accept[capacity], 1000U);
     EXPECT_EQ(accept[15] - accept[14], uint64_t(model->desc().interval));
 }
-
-struct Mutation {
-    const char* name;
-    const char* unit;
-    const char* file;
-    const char* from;
-    const char* to;
-};
 
 class WrongTessellationRtl : public testing::TestWithParam<Mutation> {};
 
@@ -180,9 +128,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_P(WrongTessellationRtl, InVerilator) {
     const Mutation& m = GetParam();
     const auto model = model_of(m.unit);
-    const Mutant mutant(m.file, m.from, m.to);
-    const Outcome outcome = run_random(*model, engine_of(*model, mutant.root()),
-                                       model->hard_cases(), effort(50'000), {});
+    const Mutant mutant(m);
+    const Outcome outcome = run_verilator(*model, 50'000, mutant.root());
     EXPECT_GT(outcome.mismatches, 0U);
 }
 

@@ -6,47 +6,29 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "datapath/pipelines/tessellation_tests.h"
-#include "testbench/cosim/engine_builder.h"
-#include "testbench/cosim/session.h"
 #include "testbench/cosim/table_pool.h"
 #include "testbench/cosim/tested_edges.h"
 #include "testbench/host/draw.h"
 #include "testbench/host/scene/assets.h"
 #include "testbench/tests/support/mutant.h"
-#include "tlm/config/profile_reader.h"
+#include "testbench/tests/support/rtl_engine.h"
+#include "testbench/tests/support/rtl_passage.h"
 
 namespace repousse::cosim {
 namespace {
 
 std::unique_ptr<UnitModel> top_of(const char* profile = "default") {
-    return make_unit_model("tessellation_tests", *shipped_profile(profile));
-}
-
-Engine engine_of(const UnitModel& model, const std::filesystem::path& root = source_folder()) {
-    const auto path = build_engine(model.desc(), model.profile(), root);
-    if (!path) throw std::runtime_error(path.error().message());
-    auto engine = Engine::open(*path, model.desc(), model.profile());
-    if (!engine) throw std::runtime_error(engine.error().message());
-    return *engine;
-}
-
-Effort effort(uint64_t vectors) {
-    Effort e;
-    e.vectors = vectors;
-    e.stalled_percent = 50;  // of the batches: random gaps and stalls on every port
-    return e;
+    return model_of("tessellation_tests", profile);
 }
 
 TEST(TessellationTestsRtl, HardCasesAndRandomOnesInVerilator) {
     for (const char* profile : {"default", "narrow"}) {
         const auto model = top_of(profile);
-        const Outcome outcome =
-            run_random(*model, engine_of(*model), model->hard_cases(), effort(200'000), {});
+        const Outcome outcome = run_verilator(*model, 200'000);
         EXPECT_GE(outcome.cases, 200'000U);
         EXPECT_EQ(outcome.mismatches, 0U) << profile << ": " << outcome.first_mismatch;
     }
@@ -62,10 +44,7 @@ TEST(TessellationTestsRtl, EveryEdgeOfATinyProfile) {
 
 TEST(TessellationTestsRtl, HardCasesAndRandomOnesInIcarus) {
     const auto model = top_of();
-    const auto outcome = run_icarus(*model, source_folder(), model->hard_cases(), 1'000, 1);
-    ASSERT_TRUE(outcome.ok()) << outcome.error().message();
-    EXPECT_GE(outcome->cases, 1'000U);
-    EXPECT_EQ(outcome->mismatches, 0U) << outcome->first_mismatch;
+    expect_equal_in_icarus(*model, 1'000);
 }
 
 /// Half of the random transactions and more must reach the last test, or it is hardly tried.
@@ -174,17 +153,9 @@ public:
         unit_.configure({config.begin(), config.end()}, table_.get(), 1);
         Scenario s;
         for (std::size_t i = 0; i < count; ++i) s.add(in_);
-        std::vector<int64_t> out(count * model_->outputs());
-        const uint64_t start = unit_.cycle();
-        std::vector<uint64_t> from(count, ready + start);
-        accept.assign(count, 0), depart.assign(count, 0);
-        RepousseBatch batch = plain_batch(count, s.inputs.data(), out.data());
-        batch.ready = from.data();
-        batch.accept = accept.data(), batch.depart = depart.data();
-        ASSERT_EQ(unit_.run(batch), kRepousseDone);
-        for (auto* times : {&accept, &depart}) {
-            for (uint64_t& t : *times) t -= start;
-        }
+        Passage passage = pass(unit_, *model_, s.inputs, {}, std::vector<uint64_t>(count, ready));
+        accept = std::move(passage.accept);
+        depart = std::move(passage.depart);
     }
 
     uint64_t latency() {
@@ -254,15 +225,10 @@ TEST(TessellationTestsRtl, CyclesPerEdgeOfRealScenes) {
             TestedEdges tested(model->profile());
             tested.run(scene.draw(eager, 1.0), [&](const Recorded& recorded) {
                 const Scenario& s = recorded.scenario;
-                const std::size_t count = model->count(s);
-                std::vector<int64_t> out(recorded.outputs.size());
-                std::vector<uint64_t> accept(count), depart(count);
-                RepousseBatch batch = plain_batch(count, s.inputs.data(), out.data());
-                batch.accept = accept.data(), batch.depart = depart.data();
                 unit.configure(s.config, s.table.get(), 1);
-                ASSERT_EQ(unit.run(batch), kRepousseDone);
+                const auto [out, accept, depart] = pass(unit, *model, s.inputs);
                 EXPECT_EQ(out, recorded.outputs);
-                edges += count - 1;
+                edges += accept.size() - 1;
                 cycles += depart.back() - depart.front();
             });
             each[eager] = double(cycles) / double(edges);
@@ -274,28 +240,25 @@ TEST(TessellationTestsRtl, CyclesPerEdgeOfRealScenes) {
 }
 
 TEST(TessellationTestsRtl, WrongOnesAreFound) {
-    struct Mutation {
-        const char *what, *file, *from, *to;
-    };
     const auto model = top_of();
     const char* const top = "tops/tessellation_tests.sv";
     for (const Mutation& m :
-         {Mutation{"skips what is undecided", top, "~ct_open & ~eager", "ct_open & ~eager"},
-          Mutation{"counts a skipped View Test as a no", top, "vt_says | vt_skipped, vt_u",
-                   "vt_says, vt_u"},
-          Mutation{"forgets that an edge is not eligible", top, "out_eligible & ct & vt",
-                   "(out_eligible | nt) & ct & vt"},
-          Mutation{"looks at heights although the normals have decided", top, "nt_vt & ~nt_says",
-                   "nt_vt"},
-          Mutation{"sends an edge before its heights are known", "common/rp_beside.sv",
-                   "word & done_valid", "word"},
-          Mutation{"ends of the edge swapped for the midpoint", top,
+         {Mutation{"skips what is undecided", "tessellation_tests", top, "~ct_open & ~eager",
+                   "ct_open & ~eager"},
+          Mutation{"counts a skipped View Test as a no", "tessellation_tests", top,
+                   "vt_says | vt_skipped, vt_u", "vt_says, vt_u"},
+          Mutation{"forgets that an edge is not eligible", "tessellation_tests", top,
+                   "out_eligible & ct & vt", "(out_eligible | nt) & ct & vt"},
+          Mutation{"looks at heights although the normals have decided", "tessellation_tests", top,
+                   "nt_vt & ~nt_says", "nt_vt"},
+          Mutation{"sends an edge before its heights are known", "tessellation_tests",
+                   "common/rp_beside.sv", "word & done_valid", "word"},
+          Mutation{"ends of the edge swapped for the midpoint", "tessellation_tests", top,
                    "at1_x, at1_y, at2_x, at2_y, at12_x, at12_y} = nt_u",
                    "at12_x, at12_y, at2_x, at2_y, at1_x, at1_y} = nt_u"}}) {
-        const Mutant mutant(m.file, m.from, m.to);
-        const Outcome outcome = run_random(*model, engine_of(*model, mutant.root()),
-                                           model->hard_cases(), effort(20'000), {});
-        EXPECT_GT(outcome.mismatches, 0U) << m.what;
+        const Mutant mutant(m);
+        const Outcome outcome = run_verilator(*model, 20'000, mutant.root());
+        EXPECT_GT(outcome.mismatches, 0U) << m.name;
     }
 }
 

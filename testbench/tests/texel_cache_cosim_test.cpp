@@ -4,33 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "datapath/units/texel_cache.h"
-#include "testbench/cosim/engine_builder.h"
-#include "testbench/cosim/session.h"
 #include "testbench/tests/support/mutant.h"
-#include "tlm/config/profile_reader.h"
+#include "testbench/tests/support/rtl_engine.h"
+#include "testbench/tests/support/rtl_passage.h"
 
 namespace repousse::cosim {
 namespace {
-
-Engine engine_of(const UnitModel& model, const std::filesystem::path& root = source_folder()) {
-    const auto path = build_engine(model.desc(), model.profile(), root);
-    if (!path) throw std::runtime_error(path.error().message());
-    auto engine = Engine::open(*path, model.desc(), model.profile());
-    if (!engine) throw std::runtime_error(engine.error().message());
-    return *engine;
-}
-
-Effort effort(uint64_t vectors) {
-    Effort e;
-    e.vectors = vectors;
-    e.stalled_percent = 50;
-    return e;
-}
 
 struct Shape {
     int line_bits, set_bits, ways, replacement;
@@ -62,18 +45,14 @@ INSTANTIATE_TEST_SUITE_P(Shapes, TexelCacheRtl,
 
 TEST_P(TexelCacheRtl, HardCasesAndRandomReads) {
     const auto model = model_of(GetParam());
-    const Outcome outcome =
-        run_random(*model, engine_of(*model), model->hard_cases(), effort(200'000), {});
+    const Outcome outcome = run_verilator(*model, 200'000);
     EXPECT_GE(outcome.cases, 200'000U);
     EXPECT_EQ(outcome.mismatches, 0U) << outcome.first_mismatch;
 }
 
 TEST_P(TexelCacheRtl, InIcarus) {
     const auto model = model_of(GetParam());
-    const auto outcome = run_icarus(*model, source_folder(), model->hard_cases(), 2'000, 1);
-    ASSERT_TRUE(outcome.ok()) << outcome.error().message();
-    EXPECT_GE(outcome->cases, 2'000U);
-    EXPECT_EQ(outcome->mismatches, 0U) << outcome->first_mismatch;
+    expect_equal_in_icarus(*model, 2'000);
 }
 
 /// hit:  offer = A + 1
@@ -92,20 +71,10 @@ TEST_P(TexelCacheRtl, AcceptAndDepartureCyclesFollowTheRecurrence) {
         const Scenario scenario = model->random(random, kCount);
         std::vector<int64_t> expected;
         model->evaluate(scenario, expected);
-        std::vector<uint64_t> offer(kCount), ready(kCount), accept(kCount), depart(kCount);
-        uint64_t v = 0, r = 0;
-        for (uint64_t& t : offer) t = v += random.percent(60) ? 1 : 1 + random.below(16);
-        for (uint64_t& t : ready) t = r += random.percent(60) ? 1 : random.below(12);
-        std::vector<int64_t> out(expected.size());
-        RepousseBatch batch = plain_batch(kCount, scenario.inputs.data(), out.data());
-        batch.offer = offer.data(), batch.ready = ready.data();
-        batch.accept = accept.data(), batch.depart = depart.data();
+        const std::vector<uint64_t> offer = random_cycles(random, kCount, 1, 16);
+        const std::vector<uint64_t> ready = random_cycles(random, kCount, 0, 12);
         instance.configure(scenario.config, scenario.table.get(), latency);
-        const uint64_t start = instance.cycle();
-        for (auto* cycles : {&offer, &ready}) {
-            for (uint64_t& t : *cycles) t += start;
-        }
-        ASSERT_EQ(instance.run(batch), kRepousseDone);
+        const auto [out, accept, depart] = pass(instance, *model, scenario.inputs, offer, ready);
         EXPECT_EQ(out, expected);
 
         const std::size_t words = std::size_t{1} << GetParam().line_bits;
@@ -134,14 +103,11 @@ TEST_P(TexelCacheRtl, AcceptAndDepartureCyclesFollowTheRecurrence) {
 TEST_P(TexelCacheRtl, HitsFollowEachOtherWithoutAGap) {
     const auto model = model_of(GetParam());
     EngineInstance instance(engine_of(*model));
-    std::vector<int64_t> in, out(100 * model->outputs());
+    std::vector<int64_t> in;
     for (int i = 0; i < 100; ++i) in.insert(in.end(), {i == 0, 1234});
-    std::vector<uint64_t> depart(100), accept(100);
-    RepousseBatch batch = plain_batch(100, in.data(), out.data());
-    batch.depart = depart.data(), batch.accept = accept.data();
     const Scenario scenario = model->hard_cases().front();
     instance.configure(scenario.config, scenario.table.get(), 1);
-    ASSERT_EQ(instance.run(batch), kRepousseDone);
+    const auto [out, accept, depart] = pass(instance, *model, in);
     const auto words = uint64_t{1} << GetParam().line_bits;
     if (words <= 8) {
         EXPECT_EQ(depart[0] - accept[0], words + 3);  // M = 1
@@ -167,40 +133,35 @@ TEST_P(TinyTexelCacheRtl, EveryReadInEveryState) {
     RecordProperty("cases", std::to_string(outcome.cases));
 }
 
-struct Mutation {
-    const char* name;
-    const char* file;
-    const char* from;
-    const char* to;
-};
-
 class WrongTexelCacheRtl : public testing::TestWithParam<Mutation> {};
 
 INSTANTIATE_TEST_SUITE_P(
     IsFound, WrongTexelCacheRtl,
-    testing::Values(
-        Mutation{"KeepsItsLines", "texel_cache.sv", "load & invalidate", "1'b0 & invalidate"},
-        Mutation{"IgnoresTheHighestTagBit", "texel_cache_way.sv", "(tags[set] == tag)",
-                 "(tags[set][TW-2:0] == tag[TW-2:0])"},
-        Mutation{"IsCompleteAWordEarly", "texel_cache.sv", "(fill_word == LAST)",
-                 "(fill_word == LAST - 1'b1)"},
-        Mutation{"FetchesEveryOtherWordTwice", "texel_cache.sv", "| AW'(next)",
-                 "| (AW'(next) & ~AW'(1))"},
-        Mutation{"DoesNotTouchOnAHit", "texel_cache_order.sv", "fill | read",
-                 "fill | (read & empty)"},
-        Mutation{"AgesAllWays", "texel_cache_order.sv", "(own < age)", "(own < age | own != LAST)"},
-        Mutation{"CountsOnInAnEmptySet", "texel_cache_order.sv", "empty ? AW'(WAYS - 1 - w)",
-                 "(empty & read) ? AW'(WAYS - 1 - w)"},
-        Mutation{"SaysHitAfterAMiss", "texel_cache.sv", "missed   <= 1'b1", "missed   <= 1'b0"},
-        Mutation{"EvictsFromEmptySets", "texel_cache.sv", "|(there & chosen)", "1'b1"}),
+    testing::Values(Mutation{"KeepsItsLines", "texel_cache", "units/texel_cache.sv",
+                             "load & invalidate", "1'b0 & invalidate"},
+                    Mutation{"IgnoresTheHighestTagBit", "texel_cache", "units/texel_cache_way.sv",
+                             "(tags[set] == tag)", "(tags[set][TW-2:0] == tag[TW-2:0])"},
+                    Mutation{"IsCompleteAWordEarly", "texel_cache", "units/texel_cache.sv",
+                             "(fill_word == LAST)", "(fill_word == LAST - 1'b1)"},
+                    Mutation{"FetchesEveryOtherWordTwice", "texel_cache", "units/texel_cache.sv",
+                             "| AW'(next)", "| (AW'(next) & ~AW'(1))"},
+                    Mutation{"DoesNotTouchOnAHit", "texel_cache", "units/texel_cache_order.sv",
+                             "fill | read", "fill | (read & empty)"},
+                    Mutation{"AgesAllWays", "texel_cache", "units/texel_cache_order.sv",
+                             "(own < age)", "(own < age | own != LAST)"},
+                    Mutation{"CountsOnInAnEmptySet", "texel_cache", "units/texel_cache_order.sv",
+                             "empty ? AW'(WAYS - 1 - w)", "(empty & read) ? AW'(WAYS - 1 - w)"},
+                    Mutation{"SaysHitAfterAMiss", "texel_cache", "units/texel_cache.sv",
+                             "missed   <= 1'b1", "missed   <= 1'b0"},
+                    Mutation{"EvictsFromEmptySets", "texel_cache", "units/texel_cache.sv",
+                             "|(there & chosen)", "1'b1"}),
     [](const auto& mutation) { return mutation.param.name; });
 
 TEST_P(WrongTexelCacheRtl, InVerilator) {
     const Mutation& m = GetParam();
     const auto model = model_of({3, 6, 4, 1});
-    const Mutant mutant("units/" + std::string(m.file), m.from, m.to);
-    const Outcome outcome = run_random(*model, engine_of(*model, mutant.root()),
-                                       model->hard_cases(), effort(20'000), {});
+    const Mutant mutant(m);
+    const Outcome outcome = run_verilator(*model, 20'000, mutant.root());
     EXPECT_GT(outcome.mismatches, 0U);
 }
 

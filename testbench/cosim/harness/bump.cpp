@@ -37,12 +37,12 @@ struct BumpUnit {
     }
 
     static void sample(const Vunit& top, int64_t* out) {
-        sample_vector<MAP_NORMAL_WIDTH, true>(top.map_normal_x, out, 1);
-        sample_vector<MAP_NORMAL_WIDTH, true>(top.map_normal_y, out + 1, 1);
-        sample_vector<MAP_NORMAL_WIDTH, true>(top.map_normal_z, out + 2, 1);
-        sample_vector<DISPLACED_NORMAL_WIDTH, true>(top.displaced_normal_x, out + 3, 1);
-        sample_vector<DISPLACED_NORMAL_WIDTH, true>(top.displaced_normal_y, out + 4, 1);
-        sample_vector<DISPLACED_NORMAL_WIDTH, true>(top.displaced_normal_z, out + 5, 1);
+        out[0] = extended<MAP_NORMAL_WIDTH>(top.map_normal_x);
+        out[1] = extended<MAP_NORMAL_WIDTH>(top.map_normal_y);
+        out[2] = extended<MAP_NORMAL_WIDTH>(top.map_normal_z);
+        out[3] = extended<DISPLACED_NORMAL_WIDTH>(top.displaced_normal_x);
+        out[4] = extended<DISPLACED_NORMAL_WIDTH>(top.displaced_normal_y);
+        out[5] = extended<DISPLACED_NORMAL_WIDTH>(top.displaced_normal_z);
     }
 
     static void drive_memory(Vunit& top, bool ready, bool rvalid, const uint64_t* rdata) {

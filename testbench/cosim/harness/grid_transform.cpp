@@ -53,12 +53,6 @@ struct GridTransformUnit {
         out[3] = extended<INVERSE_W_WIDTH>(top.c);
         out[4] = extended<SWEEP_DATA_WIDTH>(top.data);
     }
-
-    /// A signed port's word: Verilated ports are unsigned.
-    template <int width>
-    static int64_t extended(uint64_t port) {
-        return static_cast<int64_t>(port << (64 - width)) >> (64 - width);
-    }
 };
 
 }  // namespace

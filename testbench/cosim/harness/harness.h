@@ -24,6 +24,13 @@ constexpr uint64_t bits(int64_t word) {
     return static_cast<uint64_t>(word) & (~uint64_t(0) >> (64 - width));
 }
 
+/// A signed port of `width` bits as a word: Verilated ports are unsigned.
+template <int width>
+constexpr int64_t extended(uint64_t port) {
+    static_assert(width >= 1 && width <= 64);
+    return static_cast<int64_t>(port << (64 - width)) >> (64 - width);
+}
+
 /// Writes a vector port: `count` words, the last element first, of `width` bits each.
 template <int width, class Vector>
 void drive_vector(Vector& port, const int64_t* words, int count) {

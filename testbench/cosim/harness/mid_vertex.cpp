@@ -44,18 +44,18 @@ struct MidVertexUnit {
     }
 
     static void sample(const Vunit& top, int64_t* out) {
-        sample_vector<UV_WIDTH, true>(top.u12_x, out, 1);
-        sample_vector<UV_WIDTH, true>(top.u12_y, out + 1, 1);
+        out[0] = extended<UV_WIDTH>(top.u12_x);
+        out[1] = extended<UV_WIDTH>(top.u12_y);
         out[2] = top.generation12;
-        sample_vector<POSITION_WIDTH, true>(top.p12_x, out + 3, 1);
-        sample_vector<POSITION_WIDTH, true>(top.p12_y, out + 4, 1);
-        sample_vector<POSITION_WIDTH, true>(top.p12_z, out + 5, 1);
-        sample_vector<NORMAL_WIDTH, true>(top.n12_x, out + 6, 1);
-        sample_vector<NORMAL_WIDTH, true>(top.n12_y, out + 7, 1);
-        sample_vector<NORMAL_WIDTH, true>(top.n12_z, out + 8, 1);
-        sample_vector<NORMAL_WIDTH, true>(top.t12_x, out + 9, 1);
-        sample_vector<NORMAL_WIDTH, true>(top.t12_y, out + 10, 1);
-        sample_vector<NORMAL_WIDTH, true>(top.t12_z, out + 11, 1);
+        out[3] = extended<POSITION_WIDTH>(top.p12_x);
+        out[4] = extended<POSITION_WIDTH>(top.p12_y);
+        out[5] = extended<POSITION_WIDTH>(top.p12_z);
+        out[6] = extended<NORMAL_WIDTH>(top.n12_x);
+        out[7] = extended<NORMAL_WIDTH>(top.n12_y);
+        out[8] = extended<NORMAL_WIDTH>(top.n12_z);
+        out[9] = extended<NORMAL_WIDTH>(top.t12_x);
+        out[10] = extended<NORMAL_WIDTH>(top.t12_y);
+        out[11] = extended<NORMAL_WIDTH>(top.t12_z);
         out[12] = top.left12;
     }
 };

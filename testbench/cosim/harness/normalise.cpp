@@ -4,10 +4,6 @@
 namespace repousse::harness {
 namespace {
 
-int64_t component(uint64_t port) {
-    return static_cast<int64_t>(port << (64 - NORMAL_WIDTH)) >> (64 - NORMAL_WIDTH);
-}
-
 struct NormaliseUnit {
     static constexpr const char* kName = "normalise";
     static constexpr int kConfigs = 0;
@@ -24,9 +20,9 @@ struct NormaliseUnit {
     }
 
     static void sample(const Vunit& top, int64_t* out) {
-        out[0] = component(top.unit_x);
-        out[1] = component(top.unit_y);
-        out[2] = component(top.unit_z);
+        out[0] = extended<NORMAL_WIDTH>(top.unit_x);
+        out[1] = extended<NORMAL_WIDTH>(top.unit_y);
+        out[2] = extended<NORMAL_WIDTH>(top.unit_z);
     }
 };
 

@@ -4,12 +4,6 @@
 namespace repousse::harness {
 namespace {
 
-/// A port's bits as a signed word.
-template <int width>
-int64_t word(uint64_t port) {
-    return static_cast<int64_t>(port << (64 - width)) >> (64 - width);
-}
-
 struct PerspectiveUnit {
     static constexpr const char* kName = "perspective";
     static constexpr int kConfigs = 1;
@@ -36,17 +30,17 @@ struct PerspectiveUnit {
     }
 
     static void sample(const Vunit& top, int64_t* out) {
-        out[0] = word<POSITION_WIDTH>(top.x);
-        out[1] = word<POSITION_WIDTH>(top.y);
-        out[2] = word<POSITION_WIDTH>(top.z);
-        out[3] = word<UNNORMALISED_WIDTH>(top.nx);
-        out[4] = word<UNNORMALISED_WIDTH>(top.ny);
-        out[5] = word<UNNORMALISED_WIDTH>(top.nz);
-        out[6] = word<UV_WIDTH>(top.uv_x);
-        out[7] = word<UV_WIDTH>(top.uv_y);
-        out[8] = word<UNNORMALISED_WIDTH>(top.tx);
-        out[9] = word<UNNORMALISED_WIDTH>(top.ty);
-        out[10] = word<UNNORMALISED_WIDTH>(top.tz);
+        out[0] = extended<POSITION_WIDTH>(top.x);
+        out[1] = extended<POSITION_WIDTH>(top.y);
+        out[2] = extended<POSITION_WIDTH>(top.z);
+        out[3] = extended<UNNORMALISED_WIDTH>(top.nx);
+        out[4] = extended<UNNORMALISED_WIDTH>(top.ny);
+        out[5] = extended<UNNORMALISED_WIDTH>(top.nz);
+        out[6] = extended<UV_WIDTH>(top.uv_x);
+        out[7] = extended<UV_WIDTH>(top.uv_y);
+        out[8] = extended<UNNORMALISED_WIDTH>(top.tx);
+        out[9] = extended<UNNORMALISED_WIDTH>(top.ty);
+        out[10] = extended<UNNORMALISED_WIDTH>(top.tz);
         out[11] = top.left_handed;
         out[12] = top.clamped;
     }

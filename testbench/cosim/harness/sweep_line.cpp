@@ -27,8 +27,8 @@ struct SweepLineUnit {
             sample_vector<kData, true>(data, to, C);
             to[C] = kind;
             to[C + 1] = part;
-            sample_vector<14, true>(a, to + C + 2, 1);
-            sample_vector<14, true>(b, to + C + 3, 1);
+            to[C + 2] = extended<14>(a);
+            to[C + 3] = extended<14>(b);
         };
         vertex(0, top.data0, top.kind0, top.part0, top.a0, top.b0);
         vertex(1, top.data1, top.kind1, top.part1, top.a1, top.b1);

@@ -1,15 +1,14 @@
 // The engine of rtl/tops/tessellation_tests.sv.
-#include "testbench/cosim/harness/harness.h"
+#include "testbench/cosim/harness/sat_port.h"
 
 namespace repousse::harness {
 namespace {
 
-struct TessellationTestsUnit {
+struct TessellationTestsUnit : SatPort {
     static constexpr const char* kName = "tessellation_tests";
     static constexpr int kConfigs = 13;
     static constexpr int kInputs = 40;
     static constexpr int kOutputs = 5;
-    static constexpr int kReadEntries = 3;
 
     static void configure(Vunit& top, const int64_t* config) {
         top.eager = bits<1>(config[0]);
@@ -79,26 +78,6 @@ struct TessellationTestsUnit {
         out[2] = top.vt;
         out[3] = top.nt;
         out[4] = top.sht;
-    }
-
-    static void drive_memory(Vunit& top, bool ready, bool rvalid, const uint64_t* rdata) {
-        top.sat_ready = ready;
-        top.sat_rvalid = rvalid;
-        if (!rvalid) return;
-        std::array<int64_t, kReadEntries> words{};  // the last entry first
-        for (int entry = 0; entry < kReadEntries; ++entry) {
-            words[std::size_t(kReadEntries - 1 - entry)] = static_cast<int64_t>(rdata[entry]);
-        }
-        drive_vector<SAT_WIDTH>(top.sat_rdata, words.data(), kReadEntries);
-    }
-
-    static bool requests(const Vunit& top) { return top.sat_valid; }
-    static bool takes_answer(const Vunit& top) { return top.sat_rready; }
-    static bool wants(const Vunit& top, int entry) { return top.sat_read >> entry & 1; }
-    static Address address(const Vunit& top, int entry) {
-        const int low = 13 * entry;
-        return {static_cast<uint32_t>(top.sat_x >> low & 0x1fff),
-                static_cast<uint32_t>(top.sat_y >> low & 0x1fff)};
     }
 };
 

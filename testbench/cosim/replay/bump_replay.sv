@@ -34,7 +34,7 @@ module bump_replay #(
         .out_valid(out_valid), .out_ready(out_ready),
         .out_bits({map_normal_x, map_normal_y, map_normal_z, displaced_normal_x,
                    displaced_normal_y, displaced_normal_z}),
-        .eagerness(eagerness)
+        .out_last(1'b1), .eagerness(eagerness)
     );
 
     assign {map_width, map_height, wrap, slope_u_mantissa, slope_u_exponent, slope_v_mantissa,

@@ -16,7 +16,7 @@ module edge_iter_replay #(
     wire [1:0]       number;
     wire             eligible, last, unused_load;
 
-    replay_beats #(.COUNT(COUNT), .BEATS(BEATS), .RW(RW), .IW(IW), .OW(OW)) stream (
+    replay_stream #(.COUNT(COUNT), .BEATS(BEATS), .RW(RW), .IW(IW), .OW(OW)) stream (
         .clk(clk), .rst_n(rst_n), .line(line),
         .in_valid(in_valid), .in_ready(in_ready),
         .out_valid(out_valid), .out_ready(out_ready),

@@ -32,7 +32,7 @@ module grid_transform_replay #(
         .in_valid(in_valid), .in_ready(in_ready),
         .out_valid(out_valid), .out_ready(out_ready),
         .out_bits({x_grid, y_grid, z_grid, c, data}),
-        .eagerness(unused_eagerness)
+        .out_last(1'b1), .eagerness(unused_eagerness)
     );
 
     assign {w_min, w_scale, focal_x, focal_y, steps_per_octave, log2_near, table_near,

@@ -28,7 +28,7 @@ module height_test_replay #(
         .clk(clk), .rst_n(rst_n), .line(line),
         .in_valid(in_valid), .in_ready(in_ready),
         .out_valid(out_valid), .out_ready(out_ready), .out_bits(sht),
-        .eagerness(eagerness)
+        .out_last(1'b1), .eagerness(eagerness)
     );
 
     assign {map_width, map_height, wrap, literal, sum, threshold, first_entry}

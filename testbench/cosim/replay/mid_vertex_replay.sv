@@ -23,7 +23,7 @@ module mid_vertex_replay #(
         .out_valid(out_valid), .out_ready(out_ready),
         .out_bits({u12_x, u12_y, generation12, p12_x, p12_y, p12_z, n12_x, n12_y, n12_z,
                    t12_x, t12_y, t12_z, left12}),
-        .eagerness(unused_eagerness)
+        .out_last(1'b1), .eagerness(unused_eagerness)
     );
 
     assign {u1_x, u1_y, generation1, p1_x, p1_y, p1_z, n1_x, n1_y, n1_z, t1_x, t1_y, t1_z, left1,

@@ -32,7 +32,7 @@ module normal_test_replay #(
         .clk(clk), .rst_n(rst_n), .line(line),
         .in_valid(in_valid), .in_ready(in_ready),
         .out_valid(out_valid), .out_ready(out_ready), .out_bits(nt),
-        .eagerness(unused_eagerness)
+        .out_last(1'b1), .eagerness(unused_eagerness)
     );
 
     assign {threshold, map_space} = line[IW + OW +: RW];

@@ -17,7 +17,7 @@ module normalise_replay #(
         .clk(clk), .rst_n(rst_n), .line(line),
         .in_valid(in_valid), .in_ready(in_ready),
         .out_valid(out_valid), .out_ready(out_ready),
-        .out_bits({unit_x, unit_y, unit_z}), .eagerness(unused_eagerness)
+        .out_bits({unit_x, unit_y, unit_z}), .out_last(1'b1), .eagerness(unused_eagerness)
     );
 
     assign {x, y, z} = line[OW +: IW];

@@ -25,7 +25,7 @@ module perspective_replay #(
         .in_valid(in_valid), .in_ready(in_ready),
         .out_valid(out_valid), .out_ready(out_ready),
         .out_bits({x, y, z, nx, ny, nz, uv_x, uv_y, tx, ty, tz, left_handed, clamped}),
-        .eagerness(unused_eagerness)
+        .out_last(1'b1), .eagerness(unused_eagerness)
     );
 
     assign tangents = line[IW + OW +: RW];

@@ -27,7 +27,7 @@ module shade_replay #(
         .clk(clk), .rst_n(rst_n), .line(line),
         .in_valid(in_valid), .in_ready(in_ready),
         .out_valid(out_valid), .out_ready(out_ready), .out_bits({red, green, blue}),
-        .eagerness(unused_eagerness)
+        .out_last(1'b1), .eagerness(unused_eagerness)
     );
 
     assign {eye_x, eye_y, eye_z, ambient_red, ambient_green, ambient_blue, shininess, two_sided,

@@ -22,7 +22,7 @@ module split_replay #(
         corner1_x, corner1_y, corner1_z, corner2_x, corner2_y, corner2_z, corner3_x, corner3_y,
         corner3_z, mid12_x, mid12_y, mid12_z, mid23_x, mid23_y, mid23_z, mid31_x, mid31_y, mid31_z;
 
-    replay_beats #(.COUNT(COUNT), .BEATS(BEATS), .RW(RW), .IW(IW), .OW(OW)) stream (
+    replay_stream #(.COUNT(COUNT), .BEATS(BEATS), .RW(RW), .IW(IW), .OW(OW)) stream (
         .clk(clk), .rst_n(rst_n), .line(line),
         .in_valid(in_valid), .in_ready(in_ready),
         .out_valid(out_valid), .out_ready(out_ready),

@@ -26,7 +26,7 @@ module strip_replay #(
         .out_bits({triangles, bad_ref,
                    (triangles > 2'd0) ? {a0, b0, c0} : {(3*W){1'b0}},
                    (triangles > 2'd1) ? {a1, b1, c1} : {(3*W){1'b0}}}),
-        .eagerness(unused_eagerness)
+        .out_last(1'b1), .eagerness(unused_eagerness)
     );
 
     assign {flush, init, flip, count, command0, command1, command2, command3,

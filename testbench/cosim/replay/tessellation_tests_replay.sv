@@ -46,7 +46,7 @@ module tessellation_tests_replay #(
         .clk(clk), .rst_n(rst_n), .line(line),
         .in_valid(in_valid), .in_ready(in_ready),
         .out_valid(out_valid), .out_ready(out_ready), .out_bits({split, ct, vt, nt, sht}),
-        .eagerness(eagerness)
+        .out_last(1'b1), .eagerness(eagerness)
     );
 
     assign {

@@ -17,7 +17,7 @@ module texcoord_test_replay #(
         .clk(clk), .rst_n(rst_n), .line(line),
         .in_valid(in_valid), .in_ready(in_ready),
         .out_valid(out_valid), .out_ready(out_ready), .out_bits(ct),
-        .eagerness(unused_eagerness)
+        .out_last(1'b1), .eagerness(unused_eagerness)
     );
 
     assign {skip, u1_x, u1_y, u2_x, u2_y, u12_x, u12_y} = line[OW +: IW];

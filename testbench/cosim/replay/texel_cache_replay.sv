@@ -25,7 +25,7 @@ module texel_cache_replay #(
         .in_valid(in_valid), .in_ready(in_ready),
         .out_valid(out_valid), .out_ready(out_ready),
         .out_bits({data, hit, way, evicted}),
-        .eagerness(eagerness)
+        .out_last(1'b1), .eagerness(eagerness)
     );
 
     assign first_entry           = line[IW + OW +: RW];

@@ -22,7 +22,7 @@ module view_clip_replay #(
         .clk(clk), .rst_n(rst_n), .line(line),
         .in_valid(in_valid), .in_ready(in_ready),
         .out_valid(out_valid), .out_ready(out_ready), .out_bits({reject, outside}),
-        .eagerness(unused_eagerness)
+        .out_last(1'b1), .eagerness(unused_eagerness)
     );
 
     assign {near_w, far_w, cosine_x, sine_x, cosine_y, sine_y, margin} = line[IW + OW +: RW];

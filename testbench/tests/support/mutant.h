@@ -12,9 +12,19 @@
 
 namespace repousse::cosim {
 
+/// A mistake in a unit's RTL: `to` instead of `from` in a file of rtl/.
+struct Mutation {
+    const char* name;
+    const char* unit;
+    const char* file;
+    const char* from;
+    const char* to;
+};
+
 /// A copy of rtl/ in which one text is replaced by another.
 class Mutant {
 public:
+    explicit Mutant(const Mutation& m) : Mutant(m.file, m.from, m.to) {}
     Mutant(const std::string& file, const std::string& from, const std::string& to) {
         std::string pattern =
             (std::filesystem::temp_directory_path() / "repousse-mutant-XXXXXX").string();

@@ -42,12 +42,14 @@ inline SweepDraw<Fixed> sweep_draw(const Profile& profile, bool bump = false,
 
 /// The same from filter levels, 6 pixels a grid unit.
 inline SweepDraw<Fixed> level_draw(const Profile& profile, host::LevelFilter levels,
-                                   HeightFilter filter = HeightFilter::Maximum) {
+                                   HeightFilter filter = HeightFilter::Maximum,
+                                   int finer_levels = 0) {
     host::DrawInputs inputs = inputs_for(grid(), false);
     inputs.method = host::Method::Sweep;
     inputs.sweep.coarseness_px = 6;
     inputs.levels = levels;
     inputs.filter = filter;
+    inputs.finer_levels = finer_levels;
     auto draw = host::make_sweep_draw<Fixed>(profile, inputs);
     if (!draw) std::fprintf(stderr, "%s\n", draw.error().message().c_str());
     return *draw;

@@ -178,4 +178,12 @@ GridTriangle mixed_triangle(int n, std::mt19937_64& random) {
     return random_triangle(kKinds[n % 8], random);
 }
 
+GridTriangle flat_triangle(int size, std::mt19937_64& random) {
+    GridTriangle t{};
+    for (auto& p : t) {
+        for (std::size_t axis = 0; axis < 2; ++axis) p[axis] = int(random() % unsigned(size + 1));
+    }
+    return t;
+}
+
 }  // namespace repousse::test

@@ -86,4 +86,7 @@ GridTriangle random_triangle(TriangleKind kind, std::mt19937_64& random);
 /// A triangle of the n-th kind by turns, the largest kinds and the point left out.
 GridTriangle mixed_triangle(int n, std::mt19937_64& random);
 
+/// Corners uniform in a square of `size` at depth 0.
+GridTriangle flat_triangle(int size, std::mt19937_64& random);
+
 }  // namespace repousse::test
