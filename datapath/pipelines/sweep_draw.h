@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "datapath/map_view.h"
+#include "datapath/paged_array.h"
 #include "datapath/pipelines/draw.h"
 #include "datapath/sweep_items.h"
 #include "datapath/units/grid_transform.h"
@@ -58,15 +59,11 @@ struct SweepDraw {
 /// What a draw gives: base triangle by base triangle, in the order in which strips made them.
 template <class P>
 struct SweepMesh {
-    std::vector<SweepOutputVertex<P>> vertices;
-    std::vector<FineTriangle> triangles;
+    PagedArray<SweepOutputVertex<P>> vertices;
+    PagedArray<FineTriangle> triangles;
 
-    void append(Span<const SweepOutputVertex<P>> some) {
-        vertices.insert(vertices.end(), some.begin(), some.end());
-    }
-    void append(Span<const FineTriangle> some) {
-        triangles.insert(triangles.end(), some.begin(), some.end());
-    }
+    void append(Span<const SweepOutputVertex<P>> some) { vertices.append(some); }
+    void append(Span<const FineTriangle> some) { triangles.append(some); }
     const SweepOutputVertex<P>& corner(const FineTriangle& triangle, std::size_t k) const {
         return vertices[triangle.vertices[k]];
     }

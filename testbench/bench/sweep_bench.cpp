@@ -25,7 +25,7 @@ Swept bare_loop(const Profile& profile, const Draws& draws) {
         SweepMesh<P> mesh;
         SweepPipeline<P> pipeline(profile, std::get<SweepDraw<P>>(draw));
         pipeline.run(mesh);
-        benchmark::DoNotOptimize(mesh.triangles.data());
+        benchmark::DoNotOptimize(&mesh.triangles.back());
         swept.triangles += mesh.triangles.size();
         swept.vertices += pipeline.counters().perspective.items;
     }

@@ -71,13 +71,15 @@ private:
 
     template <class Sink>
     void for_each_base(Sink&& sink) const {
-        const std::vector<FineTriangle>& triangles = mesh_->triangles;
-        for (std::size_t i = 0; i < triangles.size();) {
-            std::size_t end = i;
-            while (end < triangles.size() && triangles[end].base == triangles[i].base) ++end;
-            sink(Span<const FineTriangle>(triangles.data() + i, end - i));
-            i = end;
+        std::vector<FineTriangle> part;
+        for (const FineTriangle& triangle : mesh_->triangles) {
+            if (!part.empty() && part.front().base != triangle.base) {
+                sink(Span<const FineTriangle>(part));
+                part.clear();
+            }
+            part.push_back(triangle);
         }
+        if (!part.empty()) sink(Span<const FineTriangle>(part));
     }
 
     /// Corner ids: as stored, or the same for all copies of a vertex.

@@ -15,10 +15,9 @@ namespace {
 
 /// `triangles` are those of `output`; `base(triangle)` is the number of the base triangle that one
 /// came from, and equal numbers stand together.
-template <class Output, class Triangle, class Base>
-RunSurface finish(const Output& output, const std::vector<Triangle>& triangles,
-                  const Profile& profile, const host::DrawInputs& inputs,
-                  const DisplaceCounters& displace, Base base) {
+template <class Output, class Triangles, class Base>
+RunSurface finish(const Output& output, const Triangles& triangles, const Profile& profile,
+                  const host::DrawInputs& inputs, const DisplaceCounters& displace, Base base) {
     RunSurface surface;
     surface.view = host::surface_view(host::surface_mesh<Fixed>(output, profile, inputs), inputs);
     surface.base_triangles = inputs.mesh->triangles.size();

@@ -123,33 +123,50 @@ TEST(SweepPipeline, IsWholeWithFilterLevels) {
     }
 }
 
+/// A mesh taken apart, so that something in it can be broken.
+struct Parts {
+    explicit Parts(const SweepMesh<Fixed>& mesh) {
+        for (const auto& vertex : mesh.vertices) vertices.push_back(vertex);
+        for (const FineTriangle& triangle : mesh.triangles) triangles.push_back(triangle);
+    }
+    SweepMesh<Fixed> mesh() const {
+        SweepMesh<Fixed> mesh;
+        mesh.append(Span<const SweepOutputVertex<Fixed>>(vertices));
+        mesh.append(Span<const FineTriangle>(triangles));
+        return mesh;
+    }
+
+    std::vector<SweepOutputVertex<Fixed>> vertices;
+    std::vector<FineTriangle> triangles;
+};
+
 // A judge that never says no is none.
 TEST(SweepJudge, SeesWhatIsBroken) {
     Object object(host::make_icosphere(1, 1.0));
     const SweepDraw<Fixed> draw = object.draw<Fixed>(default_profile());
-    const auto good = remesh(default_profile(), draw);
+    const Parts good(remesh(default_profile(), draw));
     host::SweepJudge<Fixed> judge(default_profile(), draw, object.mesh);
-    expect_whole(judge.judge(good));
+    expect_whole(judge.judge(good.mesh()));
 
-    auto hole = good;
+    Parts hole = good;
     hole.triangles.erase(hole.triangles.begin() + 700);
-    EXPECT_EQ(judge.judge(hole).open_edges, 3u);
-    EXPECT_EQ(judge.judge(hole).uncovered, 1u);
+    EXPECT_EQ(judge.judge(hole.mesh()).open_edges, 3u);
+    EXPECT_EQ(judge.judge(hole.mesh()).uncovered, 1u);
 
-    auto twice = good;
+    Parts twice = good;
     twice.triangles.insert(twice.triangles.begin() + 700, good.triangles[700]);
-    EXPECT_GE(judge.judge(twice).open_edges, 3u);
-    EXPECT_EQ(judge.judge(twice).uncovered, 1u);
+    EXPECT_GE(judge.judge(twice.mesh()).open_edges, 3u);
+    EXPECT_EQ(judge.judge(twice.mesh()).uncovered, 1u);
 
-    auto moved = good;
-    moved.vertices.push_back(moved.corner(moved.triangles[700], 1));
+    Parts moved = good;
+    moved.vertices.push_back(moved.vertices[moved.triangles[700].vertices[1]]);
     ++moved.vertices.back().displaced.y;
     moved.triangles[700].vertices[1] = static_cast<uint32_t>(moved.vertices.size() - 1);
-    EXPECT_EQ(judge.judge(moved).cracked, 1u);
+    EXPECT_EQ(judge.judge(moved.mesh()).cracked, 1u);
 
-    auto turned = good;
+    Parts turned = good;
     std::swap(turned.triangles[700].vertices[0], turned.triangles[700].vertices[1]);
-    EXPECT_EQ(judge.judge(turned).degenerate, 1u);
+    EXPECT_EQ(judge.judge(turned.mesh()).degenerate, 1u);
 }
 
 }  // namespace
