@@ -65,16 +65,19 @@ typename P::Wide Displace<P>::bilinear(Uv u) {
 template <class P>
 typename Displace<P>::Touched Displace<P>::touched(int32_t u, int32_t reach, int level,
                                                    int size) const {
+    const auto coordinate = [&](int64_t place) {
+        return texel_address(static_cast<int>(place >> uv_frac_), size, map_.wrap) >> level;
+    };
     Touched touched;
     const auto look = [&](int64_t place) {
-        const int at = texel_address(static_cast<int>(place >> uv_frac_), size, map_.wrap) >> level;
+        const int at = coordinate(place);
         const auto end = touched.at.begin() + touched.count;
         if (std::find(touched.at.begin(), end, at) == end) {
             touched.at[static_cast<std::size_t>(touched.count++)] = at;
         }
     };
     const int64_t middle = u, halfway = reach >> 1;
-    look(middle - reach);
+    touched.at[0] = coordinate(middle - reach);
     if (finer_ == 2) look(middle - halfway);
     if (finer_ >= 1) look(middle);
     if (finer_ == 2) look(middle + halfway);

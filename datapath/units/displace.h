@@ -113,7 +113,7 @@ private:
     /// Coordinates of the level's texels that a footprint touches along one axis, each once.
     struct Touched {
         std::array<int, kMostPlaces> at{};
-        int count = 0;
+        int count = 1;  ///< the first place touches one
     };
 
     typename P::Wide height(Uv u, const LevelRead& read);
