@@ -38,10 +38,12 @@ void SweepLine::sweep(const BaseItem& item, const SweepTriangle& triangle) {
         const std::size_t runs =
             unit_.fill({runs_.data() + run_count_, runs_.size() - run_count_}, vertices_);
         run_count_ += runs;
+        const bool last = !unit_.busy();
+        // The status bit stays set for later triangles: only the end of one may flush the strip.
         pieces_.push_back({item.base, static_cast<uint32_t>(runs),
-                           static_cast<uint32_t>(vertices_.size - before), !unit_.busy(),
-                           unit_.runaway(), &triangle.texel_steps});
-        if (!unit_.busy()) return;
+                           static_cast<uint32_t>(vertices_.size - before), last,
+                           last && unit_.runaway(), &triangle.texel_steps});
+        if (last) return;
         flush();
         if (aborted_) return unit_.abort();
     }
