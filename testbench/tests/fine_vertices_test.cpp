@@ -39,24 +39,40 @@ const Setting kSettings[] = {
 class Batches : public testing::TestWithParam<std::size_t> {
 protected:
     void SetUp() override {
-        map_.width = map_.height = kSide;
+        map_.width = kWidth;
+        map_.height = kHeight;
         map_.filter = HeightFilter::Bilinear;
         map_.scale_mantissa = 1 << 20;
         map_.scale_exponent = 24;
-        heights_.resize(kSide * kSide);
-        normals_.resize(kSide * kSide);
+        heights_.resize(kWidth * kHeight);
+        normals_.resize(kWidth * kHeight);
         for (auto& height : heights_) height = uint16_t(random_());
         for (auto& n : normals_) {
             n = {int16_t(random_() % 4096 - 2048), int16_t(random_() % 4096 - 2048), 1500};
         }
         map_.heights = heights_;
         map_.normals = normals_;
-        displace_.configure(map_);
         perspective_.configure(true);
         batch_perspective_.configure(true);
+        displace_.attach(&displace_reads_);
+        batch_displace_.attach(&batch_displace_reads_);
+        bump_.attach(&bump_reads_);
+        batch_bump_.attach(&batch_bump_reads_);
+        configure(false);
+    }
+
+    void configure(bool wrap) {
+        map_.wrap = wrap;
+        displace_.configure(map_);
         batch_displace_.configure(map_);
         if (tangents_) bump_.configure(map_), batch_bump_.configure(map_);
     }
+
+    /// What a unit read, in its order.
+    struct Reads : TexelPort {
+        void read(uint32_t address) override { addresses.push_back(address); }
+        std::vector<uint32_t> addresses;
+    };
 
     /// Data of a vertex: mostly sensible, sometimes anything, sometimes zero.
     std::array<int32_t, kSweepComponents> data() {
@@ -76,9 +92,9 @@ protected:
     }
 
     /// Brings a vertex's place in the map, by the same means on both sides, into the map.
-    static int32_t wrapped(int32_t u, int frac) { return u & ((kSide << frac) - 1); }
+    static int32_t wrapped(int32_t u, int size, int frac) { return u & ((size << frac) - 1); }
 
-    static constexpr int kSide = 64;
+    static constexpr int kWidth = 64, kHeight = 32;
     const Setting& setting_ = kSettings[GetParam()];
     const Profile profile_ = test::profile_with(setting_.profile, setting_.replaced);
     const bool tangents_ = profile_.components == kSweepComponents;
@@ -86,6 +102,7 @@ protected:
     MapView<Fixed> map_;
     std::vector<uint16_t> heights_;
     std::vector<Vec3<int16_t>> normals_;
+    Reads displace_reads_, batch_displace_reads_, bump_reads_, batch_bump_reads_;
     Perspective<Fixed> perspective_{profile_}, batch_perspective_{profile_};
     Displace<Fixed> displace_{profile_}, batch_displace_{profile_};
     Bump<Fixed> bump_{profile_}, batch_bump_{profile_};
@@ -97,6 +114,7 @@ TEST_P(Batches, MakeWhatSingleVerticesGive) {
     FineVertices<Fixed> batch{};
     const int frac = profile_.uv.frac;
     for (int round = 0; round < 300; ++round) {
+        configure(round % 2 == 1);
         batch.size = 0;
         std::vector<std::array<int32_t, kSweepComponents>> all(1 + random_() % kFineVertices);
         for (auto& one : all) {
@@ -111,8 +129,8 @@ TEST_P(Batches, MakeWhatSingleVerticesGive) {
             ASSERT_EQ(batch.position[i], v.position);
             ASSERT_EQ(batch.normal[i], v.normal);
             ASSERT_EQ(batch.handedness[i], v.handedness);
-            batch.u[i] = wrapped(batch.u[i], frac);
-            batch.v[i] = wrapped(batch.v[i], frac);
+            batch.u[i] = wrapped(batch.u[i], kWidth, frac);
+            batch.v[i] = wrapped(batch.v[i], kHeight, frac);
         }
         batch_displace_.run(batch);
         if (tangents_) batch_bump_.run(batch);
@@ -129,6 +147,9 @@ TEST_P(Batches, MakeWhatSingleVerticesGive) {
             ASSERT_EQ(batch.displaced_normal[i], v.displaced_normal);
         }
     }
+    EXPECT_GT(displace_reads_.addresses.size(), 0U);
+    EXPECT_EQ(displace_reads_.addresses, batch_displace_reads_.addresses);
+    EXPECT_EQ(bump_reads_.addresses, batch_bump_reads_.addresses);
     const PerspectiveCounters &p = perspective_.counters(), &bp = batch_perspective_.counters();
     EXPECT_EQ(bp.items, p.items);
     EXPECT_EQ(bp.overflows, p.overflows);
